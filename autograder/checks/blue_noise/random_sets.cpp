@@ -1,4 +1,4 @@
-#include <tuple>
+#include <map>
 
 #include "checks/blue_noise/random_sets.hpp"
 #include "checks/support/disks.hpp"
@@ -54,25 +54,21 @@ void require_fresh(const SampleSets& sets) {
 
 /// No two points, of one set or two, are equal.
 void require_distinct(const SampleSets& sets) {
-  std::vector<std::tuple<double, double, std::size_t, std::size_t>> all;  // x, y, set, index
+  std::map<std::pair<double, double>, std::pair<std::size_t, std::size_t>> seen;  // set and index
   for (std::size_t set = 0; set < sets.size(); ++set) {
     for (std::size_t i = 0; i < sets.points(set); ++i) {
-      all.emplace_back(sets.column(set, 0)[i], sets.column(set, 1)[i], set, i);
+      const double x = sets.column(set, 0)[i], y = sets.column(set, 1)[i];
+      const auto [at, is_new] = seen.try_emplace({x, y}, set, i);
+      if (is_new) continue;
+      const auto [other_set, other_i] = at->second;
+      fail(Failure{fmt::format("{}: point {} of set {} and point {} of set {} both lie at ({}, {})",
+                               sets.call, other_i, other_set, i, set, x, y),
+                   "points that are all different", "random points are never equal",
+                   i == 0 && other_i == 0
+                       ? "the first point of a set must be random, too"
+                       : "draw every point anew, and keep it once; use 53 random bits"});
     }
   }
-  std::ranges::sort(all);
-  const auto twice = std::ranges::adjacent_find(all, [](const auto& a, const auto& b) {
-    return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b);
-  });
-  if (twice == all.end()) return;
-  const auto& [x, y, set, index] = *twice;
-  const auto& [same_x, same_y, other_set, other_index] = *(twice + 1);
-  fail(Failure{fmt::format("{}: point {} of set {} and point {} of set {} both lie at ({}, {})",
-                           sets.call, index, set, other_index, other_set, x, y),
-               "points that are all different", "random points are never equal",
-               index == 0 && other_index == 0
-                   ? "the first point of a set must be random, too"
-                   : "draw every point anew, and keep it once; use 53 random bits"});
 }
 
 SampleSets require_random(SampleSets sets) {
@@ -129,15 +125,11 @@ SampleSets random_sets(const Measured<Points>& got, std::size_t n, std::size_t s
 
 SampleSets random_sets(const Measured<Patterns>& got, double radius, std::size_t sets) {
   const Patterns& all = got.list_by_list(patterns_spec(radius, sets));
-  const auto empty = std::find(all.sizes.begin(), all.sizes.end(), 0u);
-  expect_that(empty == all.sizes.end(),
-              fmt::format("{}: set {} has no points", got.call, empty - all.sizes.begin()),
-              "at least one point", "", "the first point always fits");
   SampleSets patterns = patterns_in(got.call, all);
   expect_that(
-      patterns.size() == sets,
-      fmt::format("{}: {} points, but the sizes do not add up to this", got.call, all.x.size()),
-      "sizes that add up to the number of points", "", "");
+      patterns.size() == sets && std::ranges::count(all.sizes, 0u) == 0,
+      fmt::format("{}: {} points in sets of sizes {}", got.call, all.x.size(), shown(all.sizes)),
+      "sizes of at least 1 that add up to the number of points", "the first point always fits", "");
   require_apart(patterns, radius);
   return require_random(std::move(patterns));
 }

@@ -341,7 +341,6 @@ void check_lattice(const std::string& kind, Rng& rng) {
   expect_independent_uniforms(sample_of(got, 3),
                               {.words = "each dimension has a random shift",
                                .rule = "each dimension has its own random shift at each new start",
-                               .repeated = numbers_repeat,
                                .same = "one shift for several dimensions: each needs its own"});
 }
 

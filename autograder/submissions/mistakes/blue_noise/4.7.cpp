@@ -1,47 +1,11 @@
 // Mistakes in task 4.7.
-#include "blue_noise.hpp"
-
 #define best_candidate right_best_candidate
-#define poisson_disk right_poisson_disk
-#include "solutions/blue_noise.cpp"
+#include "autograder/submissions/mistakes/blue_noise/4.3.cpp"
 #undef best_candidate
-#undef poisson_disk
 
-namespace mc {
-namespace {
-
-/// Darts on a grid whose cells hold one point, until misses(number of points) in a row.
-template <class Misses>
-PointSet darts_on_grid(double radius, Rng& rng, Misses misses) {
-  if (!(radius >= 1e-5)) return right_poisson_disk(radius, rng);
-  const int side = std::max(1, static_cast<int>(std::ceil(std::numbers::sqrt2 / radius)));
-  std::vector<Point2> cells(static_cast<std::size_t>(side) * side, Point2{-1, -1}), points;
-  const auto cell = [&](int column, int row) -> Point2& {
-    const int i = (column + side) % side, j = (row + side) % side;
-    return cells[static_cast<std::size_t>(j) * side + i];
-  };
-  const auto fits = [&](Point2 dart, int column, int row) {
-    for (int j = row - std::min(2, side); j <= row + std::min(2, side); ++j) {
-      for (int i = column - std::min(2, side); i <= column + std::min(2, side); ++i) {
-        const Point2& near = cell(i, j);
-        if (near.x >= 0 && toroidal_distance_squared(dart, near) < radius * radius) return false;
-      }
-    }
-    return true;
-  };
-  for (std::size_t missed = 0; missed < misses(points.size()); ++missed) {
-    const Point2 dart = uniform_point(rng);
-    const int column = static_cast<int>(dart.x * side), row = static_cast<int>(dart.y * side);
-    if (!fits(dart, column, row)) continue;
-    cell(column, row) = dart;
-    points.push_back(dart);
-    missed = 0;
-  }
-  return columns_of(points);
-}
-
-}  // namespace
-}  // namespace mc
+#define DARTS_ON_GRID(misses)                                                         \
+  POISSON_DISK(darts_on_grid(radius, rng, std::ceil(std::numbers::sqrt2 / radius), 2, \
+                             [](std::size_t points) -> std::size_t { return misses; }))
 
 // mistake: compares a candidate until one point is too near: a third of the work, still quadratic
 // hint: compare a candidate only with points nearby
@@ -89,15 +53,11 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // mistake: throws darts until as many have missed in a row as there are pairs of points
 // hint: do not fill the last gaps by darts at the whole square
 namespace mc::darts_for_each_pair {
-PointSet poisson_disk(double radius, Rng& rng) {
-  return darts_on_grid(radius, rng, [](std::size_t points) { return 1000 + points * points; });
-}
+DARTS_ON_GRID(1000 + points * points)
 }  // namespace mc::darts_for_each_pair
 
 // mistake: throws darts until 1,000 in a row miss: enough for some hundred points only
 // hint: the number of tries must grow with the number of points
 namespace mc::stops_after_a_thousand_misses {
-PointSet poisson_disk(double radius, Rng& rng) {
-  return darts_on_grid(radius, rng, [](std::size_t) { return std::size_t{1000}; });
-}
+DARTS_ON_GRID(points > 0 ? 1000 : 1)
 }  // namespace mc::stops_after_a_thousand_misses

@@ -57,22 +57,6 @@ void lattice(PointSet& points, std::uint64_t seed) {
 }
 }  // namespace mc::products_in_32_bits
 
-// mistake: shifts every axis by the same number
-// hint: the same shift on every axis moves points along the diagonal
-namespace mc::lattice_shifted_along_the_diagonal {
-void lattice(PointSet& points, std::uint64_t seed) {
-  right_lattice(points, seed);
-  const double shift = points.column(0)[0];
-  for (std::size_t d = 1; d < points.dims(); ++d) {
-    const double off = shift - points.column(d)[0];
-    for (double& x : points.column(d)) {
-      x += off;
-      x -= std::floor(x);
-    }
-  }
-}
-}  // namespace mc::lattice_shifted_along_the_diagonal
-
 // mistake: uses only the lower 32 bits of the seed
 // hint: the shift does not depend on all 64 bits of the seed
 namespace mc::shift_by_half_of_the_seed {

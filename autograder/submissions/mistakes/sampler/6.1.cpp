@@ -17,11 +17,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) try {
 // fails: 6.2, 6.3, 6.4
 // hint: numbers are used again for another
 namespace mc::one_generator_for_every_use {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  void generate(std::size_t samples, std::uint64_t seed) override {
-    ColumnSampler::generate(samples, seed_ = seed);
-  }
+struct Wrong : Spoiled {
   double next() override {
     if (next_ == ready_) rng_ = Rng(seed_);
     return ColumnSampler::next();
@@ -30,9 +26,6 @@ struct Wrong : ColumnSampler {
     if (next2_ == ready2_) rng_ = Rng(seed_);
     return ColumnSampler::next2();
   }
-
- private:
-  std::uint64_t seed_ = 0;
 };
 
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
@@ -64,8 +57,7 @@ MAKE_SAMPLER(make_other_kind<mirrored, independent>("independent", kind))
 // fails: 6.2, 6.3, 6.4, 6.7
 // hint: use no clock and no global generator
 namespace mc::clock_decides {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
     ColumnSampler::generate(samples, mix_bits(seed) + static_cast<std::uint64_t>(now));
@@ -79,8 +71,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // fails: 6.4
 // hint: numbers are used again
 namespace mc::takes_from_the_next_sample {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
     numbers_.resize(4 * samples);
@@ -113,8 +104,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 // hint: a sample that ends early must not leave its numbers
 // limit: time
 namespace mc::counter_goes_on {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void advance() override {
     const std::size_t before = next2_;
     ColumnSampler::advance();
@@ -142,8 +132,7 @@ MAKE_SAMPLER(make_other_kind<one_short_number, short_numbers>("independent", kin
 // mistake: has 32 columns for next(), and uses the last for all others
 // hint: numbers are used again
 namespace mc::room_for_32_dimensions {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   double next() override {
     next_ = std::min<std::size_t>(next_, 31);
     return ColumnSampler::next();
@@ -157,8 +146,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 // hint: did not end within
 // limit: time
 namespace mc::a_column_for_each_number {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   double next() override {
     require_sample();
     Rng rng(mix_bits(seed_ ^ mix_bits(next_++)));
@@ -171,13 +159,6 @@ struct Wrong : ColumnSampler {
     const double x = next();
     return {x, next()};
   }
-  void generate(std::size_t samples, std::uint64_t seed) override {
-    ColumnSampler::generate(samples, seed);
-    seed_ = mix_bits(seed);
-  }
-
- private:
-  std::uint64_t seed_ = 0;
 };
 
 MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))

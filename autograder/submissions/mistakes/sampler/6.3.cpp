@@ -106,8 +106,7 @@ MAKE_SAMPLER(make_wrong<reordered<fill_halton, same_order>, &blocks_of_8>("halto
 // mistake: after the last dimension but one, a next2() has that and the first one of the next start
 // hint: a next2() takes both of its dimensions from the same round
 namespace mc::last_dimension_and_first {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   Point2 next2() override {
     if (next2_ == ready2_ && places_.next + 1 == joe_kuo.size() && samples_ > 1) {
       if (ready2_ == twos_.size()) twos_.emplace_back();
@@ -122,8 +121,12 @@ struct Wrong : ColumnSampler {
   }
 };
 
-constexpr Kind plain{"sobol", dimensions_of<fill_sobol>, &one_sequence};
-MAKE_SAMPLER(kind == plain.name ? std::make_unique<Wrong>(plain) : right_make_sampler(kind))
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
+  static constexpr Kind plain{"sobol", dimensions_of<fill_sobol>, &one_sequence};
+  if (kind != plain.name) return right_make_sampler(kind);
+  Spoiled::made = &plain;
+  return std::make_unique<Wrong>();
+}
 }  // namespace mc::last_dimension_and_first
 
 // mistake: shuffles the points of the first sequence, too
@@ -165,6 +168,7 @@ MAKE_SAMPLER(make_wrong<dimensions_of<unlimited>>("sobol", kind))
 
 // mistake: scrambles both axes of a next2() with the same seed
 // hint: use owen_scramble of lab 5, with a different seed for each dimension
+// hint: one seed is used for several dimensions
 namespace mc::one_scramble_for_both_axes {
 void same_seed(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   const std::uint64_t seed = rng();
