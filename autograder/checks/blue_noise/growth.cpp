@@ -24,52 +24,16 @@ struct Growth {
   std::function<Call(double n, const sandbox::Limits&)> call;
 };
 
-/// The answer for many points, where a step must not cost too much more than among few. Some times
-/// are far too short or too long on a busy machine, so a growth near the limit is measured again,
-/// and the better one counts.
+/// The answer for many points, where a step must not cost too much more than among few.
 template <class Result>
-Measured<Result> expect_growth(const Growth& growth) {
-  const double few_steps = growth.steps(growth.few), many_steps = growth.steps(growth.many);
-  double small = 0;  // seconds per step
-  for (int attempt = 0;; ++attempt) {
-    const Call few = growth.call(growth.few, {});
-    require_value(few);
-    small = std::max(small, few.outcome.cpu_seconds / few_steps);
-    sandbox::Limits limits;
-    limits.cpu_seconds = std::clamp(std::ceil(small * many_steps * growth.most), 1.0, 6.0);
-    const Call large = growth.call(growth.many, limits);
-    const bool did_end = !large.outcome.over_limit();
-    const double seconds = did_end ? large.outcome.cpu_seconds : limits.cpu_seconds;
-    const double ratio = seconds / many_steps / small;
-    if ((!did_end || ratio > growth.most / 4) && attempt < 1) continue;
-    if (did_end) record_growth(ratio, growth.most, growth.step);
-    expect_that(did_end && ratio <= growth.most,
-                fmt::format("{}: {}{} takes {:.3g} times as long among {} points as among {}",
-                            large.text, did_end ? "" : "no answer so far, and ", growth.step, ratio,
-                            growth.many, growth.few),
-                fmt::format("at most {} times", growth.most),
-                "with a grid, the cost does not depend on the number of points", growth.rule);
-    return result_of<Result>(large);
-  }
-}
-
+Measured<Result> expect_growth(const Growth& growth);
 /// The points of a pattern in a corner of the square, scaled by 8.
-SampleSets corner_of(const SampleSets& pattern) {
-  Points corner;
-  for (std::size_t i = 0; i < pattern.n; ++i) {
-    const double x = 8 * pattern.column(0, 0)[i], y = 8 * pattern.column(0, 1)[i];
-    if (x < 1 && y < 1) corner.x.push_back(x), corner.y.push_back(y);
-  }
-  const std::uint64_t size = corner.x.size();
-  return sets_from_xy(pattern.call + ", an eighth of each axis", corner.x, corner.y, {&size, 1});
-}
+SampleSets corner_of(const SampleSets& pattern);
 
 /// About 300,000 candidates in all.
 double c_for(double n) {
   return n < 1000 ? 10 : 1e-4;
 }
-
-}  // namespace
 
 TEST_CASE("4.7 a candidate costs the same among many points",
           "[4.7][main][stretch][needs:4.1][needs:4.2]") {
@@ -133,4 +97,43 @@ TEST_CASE("4.7 the cost of Poisson disks is linear in their number",
   require_everywhere(set);
 }
 
+/// Some times are far too short or too long on a busy machine, so a growth near the limit is
+/// measured again, and the better one counts.
+template <class Result>
+Measured<Result> expect_growth(const Growth& growth) {
+  const double few_steps = growth.steps(growth.few), many_steps = growth.steps(growth.many);
+  double small = 0;  // seconds per step
+  for (int attempt = 0;; ++attempt) {
+    const Call few = growth.call(growth.few, {});
+    require_value(few);
+    small = std::max(small, few.outcome.cpu_seconds / few_steps);
+    sandbox::Limits limits;
+    limits.cpu_seconds = std::clamp(std::ceil(small * many_steps * growth.most), 1.0, 6.0);
+    const Call large = growth.call(growth.many, limits);
+    const bool did_end = !large.outcome.over_limit();
+    const double seconds = did_end ? large.outcome.cpu_seconds : limits.cpu_seconds;
+    const double ratio = seconds / many_steps / small;
+    if ((!did_end || ratio > growth.most / 4) && attempt < 1) continue;
+    if (did_end) record_growth(ratio, growth.most, growth.step);
+    expect_that(did_end && ratio <= growth.most,
+                fmt::format("{}: {}{} takes {:.3g} times as long among {} points as among {}",
+                            large.text, did_end ? "" : "no answer so far, and ", growth.step, ratio,
+                            growth.many, growth.few),
+                fmt::format("at most {} times", growth.most),
+                "with a grid, the cost does not depend on the number of points", growth.rule);
+    return result_of<Result>(large);
+  }
+}
+
+SampleSets corner_of(const SampleSets& pattern) {
+  Points corner;
+  for (std::size_t i = 0; i < pattern.n; ++i) {
+    const double x = 8 * pattern.column(0, 0)[i], y = 8 * pattern.column(0, 1)[i];
+    if (x < 1 && y < 1) corner.x.push_back(x), corner.y.push_back(y);
+  }
+  const std::uint64_t size = corner.x.size();
+  return sets_from_xy(pattern.call + ", an eighth of each axis", corner.x, corner.y, {&size, 1});
+}
+
+}  // namespace
 }  // namespace mc::checks

@@ -1,4 +1,4 @@
-#include <tuple>
+#include <map>
 
 #include "checks/blue_noise/random_sets.hpp"
 #include "checks/support/disks.hpp"
@@ -54,26 +54,21 @@ void require_fresh(const SampleSets& sets) {
 
 /// No two points, of one set or two, are equal.
 void require_distinct(const SampleSets& sets) {
-  std::vector<std::tuple<double, double, std::size_t, std::size_t>> all;  // x, y, set, index
+  std::map<std::pair<double, double>, std::pair<std::size_t, std::size_t>> seen;  // set and index
   for (std::size_t set = 0; set < sets.size(); ++set) {
     for (std::size_t i = 0; i < sets.points(set); ++i) {
-      all.emplace_back(sets.column(set, 0)[i], sets.column(set, 1)[i], set, i);
+      const double x = sets.column(set, 0)[i], y = sets.column(set, 1)[i];
+      const auto [at, is_new] = seen.try_emplace({x, y}, set, i);
+      if (is_new) continue;
+      const auto [other_set, other_i] = at->second;
+      fail(Failure{fmt::format("{}: point {} of set {} and point {} of set {} both lie at ({}, {})",
+                               sets.call, other_i, other_set, i, set, x, y),
+                   "points that are all different", "random points are never equal",
+                   i == 0 && other_i == 0
+                       ? "the first point of a set must be random, too"
+                       : "draw every point anew, and keep it once; use 53 random bits"});
     }
   }
-  std::ranges::sort(all);
-  const auto twice = std::ranges::adjacent_find(all, [](const auto& a, const auto& b) {
-    return std::get<0>(a) == std::get<0>(b) && std::get<1>(a) == std::get<1>(b);
-  });
-  if (twice == all.end()) return;
-  const auto& [x, y, set, index] = *twice;
-  const auto& [same_x, same_y, other_set, other_index] = *(twice + 1);
-  fail(Failure{fmt::format("{}: point {} of set {} and point {} of set {} both lie at ({}, {})",
-                           sets.call, index, set, other_index, other_set, x, y),
-               "points that are all different", "random points are never equal",
-               index == 0 && other_index == 0 && std::fmod(x * 128, 1) == 0
-                   ? "the first point of a set must be random, too"
-               : x == 0 && y == 0 ? "a point at (0, 0) was never written"
-                                  : "draw every point anew, and keep it once; use 53 random bits"});
 }
 
 SampleSets require_random(SampleSets sets) {
@@ -103,13 +98,6 @@ std::string too_close_hint(View x, View y, double radius, double least) {
   if (across == pairs && static_cast<double>(pairs) * std::log(by_chance) < std::log(1e-4)) {
     return "they are close only across an edge: measure distances on the torus";
   }
-  // A distance below the radius is above a part q of it with probability 1 - q^2.
-  const double part = least / radius;
-  if (static_cast<double>(pairs) * std::log(1 - part * part) < std::log(1e-4)) {
-    return fmt::format(
-        "no two are closer than {:.3g} of the radius: keep all of it, and search all cells within",
-        part);
-  }
   return {};
 }
 
@@ -137,15 +125,11 @@ SampleSets random_sets(const Measured<Points>& got, std::size_t n, std::size_t s
 
 SampleSets random_sets(const Measured<Patterns>& got, double radius, std::size_t sets) {
   const Patterns& all = got.list_by_list(patterns_spec(radius, sets));
-  const auto empty = std::find(all.sizes.begin(), all.sizes.end(), 0u);
-  expect_that(empty == all.sizes.end(),
-              fmt::format("{}: set {} has no points", got.call, empty - all.sizes.begin()),
-              "at least one point", "", "the first point always fits");
   SampleSets patterns = patterns_in(got.call, all);
   expect_that(
-      patterns.size() == sets,
-      fmt::format("{}: {} points, but the sizes do not add up to this", got.call, all.x.size()),
-      "sizes that add up to the number of points", "", "");
+      patterns.size() == sets && std::ranges::count(all.sizes, 0u) == 0,
+      fmt::format("{}: {} points in sets of sizes {}", got.call, all.x.size(), shown(all.sizes)),
+      "sizes of at least 1 that add up to the number of points", "the first point always fits", "");
   require_apart(patterns, radius);
   return require_random(std::move(patterns));
 }
@@ -212,137 +196,6 @@ void expect_no_lattice(const std::string& call, const Spectrum& mean, std::size_
       "where points may fall anywhere that is free, no power has a mean above 1.9",
       "points must fall anywhere that is free: not on a lattice, even if it is shifted, not only "
       "into a part of each cell or on the rims of disks");
-}
-
-namespace {
-
-/// Whether each of the points is the best of this number of candidates; wrong once in 10,000 times.
-bool explains(const Nearness& all, const Count& count) {
-  const Uniforms u = by_candidates("", all, count);
-  for (std::size_t position = 0; position < u.positions; ++position) {
-    Values of_point;
-    for (std::size_t r = 0; r < u.replicates(); ++r) {
-      of_point.push_back(u.values[r * u.positions + position]);
-    }
-    const double distance = distance_from_uniform(of_point);
-    if (!(kolmogorov_tails(distance, of_point.size()).upper > 1e-4)) return false;
-  }
-  return true;
-}
-
-}  // namespace
-
-Nearness nearness(const SampleSets& sets, std::vector<std::size_t> points, std::size_t rows,
-                  Rng& rng, Metric metric) {
-  Nearness all{std::move(points)};
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    const View all_x = sets.column(set, 0), all_y = sets.column(set, 1);
-    std::vector<std::size_t> by_x(all_x.size());  // uncovered_area() is faster in this order
-    std::iota(by_x.begin(), by_x.end(), std::size_t{0});
-    std::ranges::sort(by_x, [&](auto a, auto b) { return all_x[a] < all_x[b]; });
-    for (const std::size_t i : all.points) {
-      const std::size_t first = metric.to_last_only ? i - 1 : 0;
-      Values x, y;
-      double least = infinity;
-      for (const std::size_t p : by_x) {
-        if (p < first || p >= i) continue;
-        x.push_back(all_x[p]), y.push_back(all_y[p]);
-        const double dx = all_x[p] - all_x[i], dy = all_y[p] - all_y[i];
-        least = std::min(
-            least, metric.on_torus ? std::hypot(short_way(dx), short_way(dy)) : std::hypot(dx, dy));
-      }
-      all.parts.push_back(1 - uncovered_area(x, y, least, rows, uniform(rng), metric.on_torus));
-    }
-  }
-  return all;
-}
-
-Uniforms by_candidates(const std::string& call, const Nearness& all, const Count& candidates) {
-  // Areas are accurate to about three digits.
-  Uniforms u{call, all.points.size(), {}, 12, [points = all.points](std::size_t position) {
-               return fmt::format("nearness of point {}", points[position]);
-             }};
-  for (std::size_t k = 0; k < all.parts.size(); ++k) {
-    const auto i = static_cast<double>(all.points[k % all.points.size()]);
-    u.values.push_back(std::clamp(std::pow(all.parts[k], candidates(i)), 0.0, below_one));
-  }
-  return u;
-}
-
-std::vector<std::size_t> later_points(std::size_t n) {
-  std::vector<std::size_t> points(n - 1);
-  std::iota(points.begin(), points.end(), 1);
-  return points;
-}
-
-void judge_points(const SampleSets& set, double c, std::size_t first, std::size_t last,
-                  std::size_t count, Rng& rng) {
-  std::vector<std::size_t> points;
-  for (std::size_t k = 0; k < count; ++k) {  // one from each of `count` equal parts
-    const std::size_t low = first + k * (last - first) / count;
-    const std::size_t high = first + (k + 1) * (last - first) / count;
-    points.push_back(low + rng() % std::max<std::size_t>(high - low, 1));
-  }
-  Uniforms u = by_candidates(set.call, nearness(set, points, c < 1 ? 150 : 300, rng), promised(c));
-  u.positions = 1;  // one set: its points are the replicates
-  u.name = {};
-  expect_independent_uniforms(
-      u, best_of_candidates(
-             "the search misses the nearest point: search all cells that can contain it"));
-}
-
-Count promised(double c) {
-  return [=](double i) { return std::ceil(c * i) + 1; };
-}
-
-Randomness best_of_candidates(const std::string& rule) {
-  return {.words = "the nearness of point i, to the power of ceil(c i) + 1, is uniform",
-          .rule = rule,
-          .expected = "each point i is the best of ceil(c i) + 1 uniform candidates"};
-}
-
-std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
-  const auto measured = [&](Metric metric) {
-    return nearness(sets, later_points(sets.n), 200, rng, metric);
-  };
-  const Nearness all = measured({});
-  Nearness opposite = all;
-  for (double& part : opposite.parts) part = 1 - part;
-  // If all points had the same number of candidates, -1 / mean(log(part)) would estimate it.
-  double logarithms = 0;
-  for (const double part : all.parts) logarithms -= std::log(std::max(part, 1e-300));
-  const double constant = std::round(static_cast<double>(all.parts.size()) / logarithms);
-  const bool is_whole = c == std::floor(c);  // then a missing candidate does not come from rounding
-  struct Mistake {
-    Nearness seen;
-    Count count;
-    const char* hint;
-  };
-  const Mistake mistakes[] = {
-      {all, [=](double i) { return std::ceil(c * i); },
-       is_whole ? "there are only ceil(c i) candidates: one is missing"
-                : "there are floor(c i) + 1 candidates: round c i up, with c a double"},
-      {all, [=](double i) { return std::ceil(c * i) + 2; }, "there is one candidate too many"},
-      // Just above 1 the first mistake gives the same.
-      {all, [=](double i) { return c < 1.5 ? 0 : i + 1; },
-       "there are i + 1 candidates: c is unused, or rounded"},
-      {all, [=](double) { return constant; },
-       constant == 1 ? "as irregular as uniform points: keep the farthest of several candidates, "
-                       "which are new for each point"
-                     : "the number of candidates hardly grows: point i needs ceil(c i) + 1"},
-      {opposite, promised(c),
-       "this keeps the candidate that is nearest to earlier points: keep the farthest"},
-      {measured({.on_torus = false}), promised(c),
-       "distances are measured within the square: measure them on the torus"},
-      {measured({.to_last_only = true}), promised(c),
-       "the candidates are far from the last point: they must be far from all earlier points"}};
-  std::string found;
-  for (const Mistake& mistake : mistakes) {
-    if (!explains(mistake.seen, mistake.count)) continue;
-    if (!found.empty()) return {};
-    found = mistake.hint;
-  }
-  return found;
 }
 
 }  // namespace mc::checks

@@ -1,6 +1,5 @@
 #pragma once
-// Random point sets of lab 4, for checks, plots and benchmark; their common properties; and a test
-// that recognizes best candidates by their nearest-neighbor distances.
+// Random point sets of lab 4, for checks, plots and benchmark, and their common properties.
 
 #include "4-blue-noise/experiments.hpp"
 #include "checks/support/checks.hpp"
@@ -88,43 +87,10 @@ Spectrum mean_spectrum(const SampleSets& sets, double n);
 /// exceeds the limit once in 10^9 runs. A lattice of n points has a power of n.
 void expect_no_lattice(const std::string& call, const Spectrum& mean, std::size_t sets);
 
-/// For some points of each set, the fraction of the square that is closer to earlier points.
-struct Nearness {
-  std::vector<std::size_t> points;  ///< their indices, the same in each set
-  Values parts = {};                ///< set by set
-};
-
-/// How nearness is measured, as in a correct answer or a wrong one.
-struct Metric {
-  bool on_torus = true, to_last_only = false;
-};
-
-/// The nearness of these points. Areas are computed along `rows` lines with a random offset.
-Nearness nearness(const SampleSets& sets, std::vector<std::size_t> points, std::size_t rows,
-                  Rng& rng, Metric metric = {});
-
-/// 1, 2, … n - 1.
-std::vector<std::size_t> later_points(std::size_t n);
-
-using Count = std::function<double(double)>;  ///< of candidates, for point i
-
-/// Uniform candidates have a uniform nearness, and the m-th power of the largest of m uniform
-/// numbers is uniform. So these numbers are uniform if each point is the best of `candidates(i)`.
-Uniforms by_candidates(const std::string& call, const Nearness& all, const Count& candidates);
-
-/// `count` random points of a set, of indices first to last - 1, are the best of ceil(c i) + 1
+/// 4.2: `count` random points of a set, of indices first to last - 1, are the best of ceil(c i) + 1
 /// candidates. They are chosen now, so the submission could not know them. Half the required
 /// candidates are missed in 350 points only once in 1,000 runs.
 void judge_points(const SampleSets& set, double c, std::size_t first, std::size_t last,
                   std::size_t count, Rng& rng);
-
-/// The number of candidates that 4.2 specifies: ceil(c i) + 1.
-Count promised(double c);
-
-Randomness best_of_candidates(const std::string& rule);
-
-/// The only well-known mistake that explains points 1, 2, … of these sets, if there is one. Needs
-/// thousands of sets, because some mistakes are similar.
-std::string candidates_hint(const SampleSets& sets, double c, Rng& rng);
 
 }  // namespace mc::checks

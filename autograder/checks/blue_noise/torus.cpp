@@ -13,9 +13,14 @@ struct Pairs {
   }
 };
 
-/// First pairs that are closest across edges in x and y, for which all mistakes differ; then random
-/// ones.
-Pairs ordinary_pairs(Rng& rng) {
+void compare_distances(const Pairs& pairs);
+/// Tilings of random patterns, with some points `at_the_edge`: at 0 or just below 1.
+void judge_tilings(const std::vector<std::pair<std::size_t, int>>& cases, Rng& rng,
+                   bool at_the_edge);
+
+CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:4]") {
+  // First pairs that are closest across edges in x and y, for which all mistakes differ; then
+  // random ones.
   Pairs all;
   for (int i = 0; i < 20; ++i) {
     const double low_x = uniform(rng, 0, 0.2), low_y = uniform(rng, 0, 0.2);
@@ -25,11 +30,10 @@ Pairs ordinary_pairs(Rng& rng) {
             {right ? low_x : high_x, top ? low_y : high_y});
   }
   for (int i = 0; i < 400; ++i) all.add({uniform(rng), uniform(rng)}, {uniform(rng), uniform(rng)});
-  return all;
+  compare_distances(all);
 }
 
-/// Coordinates at the ends of their range, equal points, and ties.
-Pairs special_pairs(Rng& rng) {
+CHECK_CASE("4.1 equal points and points at the edges", "[4.1][edge][points:2]") {
   Pairs all;
   const double edges[] = {0, below_one, 0.5, 0.25, 0.75, uniform(rng), 1e-300, eps};
   for (const double x : edges) {
@@ -40,8 +44,52 @@ Pairs special_pairs(Rng& rng) {
     all.add({x, y}, {x, y});
     all.add({x, y}, {x + 0.5, y + (i % 2 == 0 ? 0.5 : 0)});
   }
-  return all;
+  compare_distances(all);
 }
+
+CHECK_CASE("4.6 copies lie side by side", "[4.6][main][points:11]") {
+  judge_tilings({{20, 2}, {20, 3}, {7, 7}, {10 + rng() % 50, 4}}, rng, false);
+}
+
+CHECK_CASE("4.6 any number of points and copies also at the upper edges", "[4.6][edge][points:3]") {
+  for (const bool at_the_edge : {false, true}) {
+    judge_tilings({{20, 2},
+                   {20, 3},
+                   {7, 7},
+                   {65, 33},
+                   {1, 100},
+                   {129, 3},
+                   {20, 1},
+                   {3, 33},
+                   {3, 2},
+                   {2, 5},
+                   {2, 1},
+                   {1, 300},
+                   {1, 2},
+                   {1, 1}},
+                  rng, at_the_edge);
+  }
+}
+
+std::vector<InvalidCall> wrong_tiles() {
+  std::vector<InvalidCall> calls;
+  for (const int copies : {0, -1, -7}) {
+    calls.push_back(
+        {MEASURE_OUTCOME(tile_of, 3, 2, copies), "copies", "there is at least one copy"});
+  }
+  for (const int copies : {2, 1}) {
+    calls.push_back(
+        {MEASURE_OUTCOME(tile_of, 0, 2, copies), "pattern", "the pattern has no points"});
+    for (const std::uint64_t dims : {0u, 1u, 3u}) {
+      calls.push_back({MEASURE_OUTCOME(tile_of, 3, dims, copies), "pattern",
+                       "a pattern of the square has two dimensions"});
+    }
+  }
+  return calls;
+}
+
+REFUSAL_CASES("4.6", "misuse of tile is refused", "1", "a refusal names the argument", "1",
+              wrong_tiles())
 
 void compare_distances(const Pairs& pairs) {
   const auto& [a, b] = pairs;
@@ -53,7 +101,6 @@ void compare_distances(const Pairs& pairs) {
                     "this is the distance in the square: the distance across an edge is shorter"},
                    {{}, "this is the distance: the task asks for its square"},
                    {{}, "x wraps around the torus, y does not"},
-                   {{}, "y wraps around the torus, x does not"},
                    {{}, "this is |dx| + |dy|: add the squares"}},
       .rule = "along each axis, take the shorter of |difference| and 1 - |difference|",
       .name =
@@ -72,21 +119,13 @@ void compare_distances(const Pairs& pairs) {
     distances.exact.push_back(exact);
     distances.tolerance.push_back(4 * eps * std::sqrt(exact) + eps * eps);
     const long double wrong[] = {dx * dx + dy * dy, std::sqrt(exact), x * x + dy * dy,
-                                 dx * dx + y * y, std::abs(x) + std::abs(y)};
+                                 std::abs(x) + std::abs(y)};
     for (std::size_t s = 0; s < std::size(wrong); ++s) {
       distances.suspects[s].values.push_back(static_cast<double>(wrong[s]));
     }
   }
   const auto measured = MEASURE(toroidal_distances_squared, a.x, a.y, b.x, b.y);
   expect_each({measured.call, measured.exactly(a.x.size(), any_number)}, distances);
-}
-
-CHECK_CASE("4.1 the distance to the nearest copy", "[4.1][main][points:4]") {
-  compare_distances(ordinary_pairs(rng));
-}
-
-CHECK_CASE("4.1 equal points and points at the edges", "[4.1][edge][points:2]") {
-  compare_distances(special_pairs(rng));
 }
 
 /// y and x of each point, in an order that does not depend on rounding errors below 1e-9.
@@ -115,7 +154,6 @@ Values tiled(const Points& pattern, int copies, int step) {
   return by_place(all);
 }
 
-/// Tilings of random patterns, with some points `at_the_edge`: at 0 or just below 1.
 void judge_tilings(const std::vector<std::pair<std::size_t, int>>& cases, Rng& rng,
                    bool at_the_edge) {
   for (const auto& [n, copies] : cases) {
@@ -134,9 +172,7 @@ void judge_tilings(const std::vector<std::pair<std::size_t, int>>& cases, Rng& r
          .because = "a point of the copy (i, j) lies at ((i + x) / copies, (j + y) / copies)",
          .suspects = {{tiled(pattern, copies, 0),
                        "all copies are in one place: i / copies of two integers is 0"}},
-         .rule = copies > 255  ? "any number of copies is valid, also more than 255"
-                 : at_the_edge ? "limit only what is rounded up to 1"
-                               : "the copies differ: do not rotate, mirror or move the pattern",
+         .rule = "do not rotate, mirror or move the pattern; limit only what is rounded up to 1",
          .name =
              [&call = measured.call](std::size_t i) {
                return fmt::format("{}: {} of point {}, row by row", call, i % 2 == 0 ? "y" : "x",
@@ -145,43 +181,6 @@ void judge_tilings(const std::vector<std::pair<std::size_t, int>>& cases, Rng& r
          .is_tame = true});
   }
 }
-
-CHECK_CASE("4.6 copies lie side by side", "[4.6][main][points:11]") {
-  judge_tilings({{20, 2}, {20, 3}, {7, 7}, {10 + rng() % 50, 4}}, rng, false);
-}
-
-const std::vector<std::pair<std::size_t, int>> special_sizes{{65, 33}, {1, 100}, {129, 3}, {20, 1},
-                                                             {3, 33},  {3, 2},   {2, 5},   {2, 1},
-                                                             {1, 300}, {1, 2},   {1, 1}};
-
-CHECK_CASE("4.6 any number of points and copies", "[4.6][edge][points:2]") {
-  judge_tilings(special_sizes, rng, false);
-}
-
-CHECK_CASE("4.6 copies of points just below 1 stay below 1", "[4.6][edge][points:1]") {
-  judge_tilings({{20, 2}, {20, 3}, {7, 7}}, rng, true);
-  judge_tilings(special_sizes, rng, true);
-}
-
-std::vector<InvalidCall> wrong_tiles() {
-  std::vector<InvalidCall> calls;
-  for (const int copies : {0, -1, -7}) {
-    calls.push_back(
-        {MEASURE_OUTCOME(tile_of, 3, 2, copies), "copies", "there is at least one copy"});
-  }
-  for (const int copies : {2, 1}) {
-    calls.push_back(
-        {MEASURE_OUTCOME(tile_of, 0, 2, copies), "pattern", "the pattern has no points"});
-    for (const std::uint64_t dims : {0u, 1u, 3u}) {
-      calls.push_back({MEASURE_OUTCOME(tile_of, 3, dims, copies), "pattern",
-                       "a pattern of the square has two dimensions"});
-    }
-  }
-  return calls;
-}
-
-REFUSAL_CASES("4.6", "misuse of tile is refused", "1", "a refusal names the argument", "1",
-              wrong_tiles())
 
 }  // namespace
 }  // namespace mc::checks

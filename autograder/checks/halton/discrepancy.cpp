@@ -6,87 +6,25 @@
 namespace mc::checks {
 namespace {
 
-struct Boxes {
-  bool open = true, closed = true;
-  bool to_1_right = true, to_1_above = true;  ///< includes boxes that end at 1, not at a point
-};
-
-/// The largest difference over boxes of these heights that end at the x of a point or at 1.
-double worst_box(View x, View y, const Values& heights, Boxes boxes) {
-  const auto n = static_cast<double>(x.size());
-  std::vector<std::size_t> order(x.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, [&](std::size_t i, std::size_t j) { return x[i] < x[j]; });
-  double worst = 0;
-  for (const double b : heights) {
-    double inside = 0, at_most = 0;  // points in the open box and in the closed box
-    const auto look = [&](double a, bool open, bool closed) {
-      if (boxes.open && open) worst = std::max(worst, a * b - inside / n);
-      if (boxes.closed && closed) worst = std::max(worst, at_most / n - a * b);
-    };
-    for (std::size_t i = 0; i < order.size();) {
-      const double a = x[order[i]];
-      look(a, true, false);
-      for (; i < order.size() && x[order[i]] == a; ++i) {
-        inside += y[order[i]] < b ? 1 : 0;
-        at_most += y[order[i]] <= b ? 1 : 0;
-      }
-      look(a, false, true);
-    }
-    if (boxes.to_1_right) look(1, true, true);
-  }
-  return worst;
-}
-
 /// Discrepancies of many sets of points, judged together: of a single set, too few boxes may give
 /// the result of a different mistake. Add small sets first: the report shows the first wrong one.
 class Discrepancies {
  public:
-  void add_line(const Values& x) {  // boxes of height 1, points at 0
-    add(MEASURE(star_discrepancy_1d, x),
-        [=](Boxes boxes) { return worst_box(x, Values(x.size()), {1}, boxes); });
-  }
-  void add_plane(const Values& x, const Values& y) {
-    add(MEASURE(star_discrepancy_2d, x, y), [=](Boxes boxes) {
-      Values heights = y;
-      if (boxes.to_1_above) heights.push_back(1);
-      return worst_box(x, y, heights, boxes);
-    });
-  }
-  void expect() {
-    results_.is_tame = true;
-    results_.expect("the largest of |volume - fraction of the points inside| over all boxes",
-                    "each side of a box ends at 1 or at any point; count the points inside without "
-                    "those on its upper and right border, and with them");
-  }
+  void add_line(const Values& x);
+  void add_plane(const Values& x, const Values& y);
+  void expect();
 
  private:
-  /// `of(boxes)` is the discrepancy over a set of boxes.
-  void add(const Measured<double>& got, auto of) {
-    const std::string to_1 =
-        "only boxes that end at points were used: boxes that end at 1 count, too";
-    results_.add(got.call, got.value, of(Boxes{}), 1e-14, [=]() -> std::vector<Suspect> {
-      return {{of(Boxes{.closed = false}),
-               "only open boxes were used: boxes that include the points on their border count, "
-               "too"},
-              {of(Boxes{.open = false}),
-               "only closed boxes were used: boxes that exclude the points on their border count, "
-               "too"},
-              {of(Boxes{.to_1_right = false, .to_1_above = false}), to_1},
-              {of(Boxes{.to_1_right = false}), to_1},
-              {of(Boxes{.to_1_above = false}), to_1}};
-    });
-  }
+  void add(const Measured<double>& got, const Values& x, const Values& y, bool is_line);
 
   Results results_;
 };
 
 /// Coordinates with many ties, including 0 and 1.
-Values on_a_grid(Rng& rng, std::size_t n) {
-  Values x(n);
-  for (double& value : x) value = static_cast<double>(rng() % 6) / 5;
-  return x;
-}
+Values on_a_grid(Rng& rng, std::size_t n);
+/// A call for n points takes at most `most` times as long as one for n/4.
+void check_growth(const char* what, const std::function<Call(std::size_t)>& measure, std::size_t n,
+                  double most, const std::string& cost);
 
 CHECK_CASE("5.6 the star discrepancy of points of the line", "[5.6][points:7][main]") {
   Discrepancies line;
@@ -152,21 +90,6 @@ CHECK_CASE("5.6 points that share coordinates or lie on the border", "[5.6][poin
   plane.expect();
 }
 
-double cpu_of(const Call& call) {
-  if (call.outcome.over_limit()) return infinity;
-  require_value(call);
-  return call.outcome.cpu_seconds;
-}
-
-/// The least CPU time of three runs, minus that for a single point.
-template <class Measurement>
-double cpu_seconds(Measurement measure, std::size_t n) {
-  const auto least = [&](std::size_t size) {
-    return std::min({measure(size), measure(size), measure(size)});
-  };
-  return std::max(1e-4, least(n) - least(1));
-}
-
 TEST_CASE("5.6 many points do not take long", "[5.6][points:1][edge]") {
   Rng rng = check_rng();
   const Values x = uniform_values(rng, 1 << 14, 0, 1), y = uniform_values(rng, 1 << 14, 0, 1);
@@ -176,25 +99,13 @@ TEST_CASE("5.6 many points do not take long", "[5.6][points:1][edge]") {
   // For four times as many points N log N takes 4.6 times as long and N^2 16 times; in the plane,
   // N^2 log N 20 times and N^3 64 times. A plain answer takes 3 ms and 30 ms; only above 0.1 s the
   // growth matters, which does not depend on the machine.
-  const auto check_growth = [](const char* what, auto measure, std::size_t n, double most,
-                               const std::string& cost) {
-    const double few = cpu_seconds(measure, n / 4), many = cpu_seconds(measure, n);
-    expect_that(
-        many < 0.1 || many < most * few,
-        fmt::format("{}: {} points took {} of CPU time, {} took {:.3g} s", what, n,
-                    std::isinf(many) ? "too much" : fmt::format("{:.3g} s", many), n / 4, few),
-        fmt::format("at most {} times as long", most), "the header promises " + cost,
-        "count the points inside by sorting, not separately for each box");
-  };
   check_growth(
       "star_discrepancy(x)",
-      [&](std::size_t n) { return cpu_of(MEASURE_OUTCOME(star_discrepancy_1d, some(x, n))); },
-      1 << 14, 8.5, "O(N log N)");
+      [&](std::size_t n) { return MEASURE_OUTCOME(star_discrepancy_1d, some(x, n)); }, 1 << 14, 8.5,
+      "O(N log N)");
   check_growth(
       "star_discrepancy(x, y)",
-      [&](std::size_t n) {
-        return cpu_of(MEASURE_OUTCOME(star_discrepancy_2d, some(x, n), some(y, n)));
-      },
+      [&](std::size_t n) { return MEASURE_OUTCOME(star_discrepancy_2d, some(x, n), some(y, n)); },
       1 << 10, 35, "O(N^2 log N)");
   Discrepancies many;
   many.add_line(uniform_values(rng, 100'003, 0, 1));  // fractions i/n that are added up lose digits
@@ -226,6 +137,107 @@ std::vector<InvalidCall> no_points_of_the_square() {
 
 REFUSAL_CASES("5.6", "points outside the unit square are refused", "1",
               "a refusal names its argument", "1", no_points_of_the_square())
+
+struct Boxes {
+  bool open = true, closed = true;
+  bool to_1_right = true, to_1_above = true;  ///< includes boxes that end at 1, not at a point
+};
+
+/// The largest difference over boxes of these heights that end at the x of a point or at 1.
+double worst_box(View x, View y, const Values& heights, Boxes boxes) {
+  const auto n = static_cast<double>(x.size());
+  std::vector<std::size_t> order(x.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, [&](std::size_t i, std::size_t j) { return x[i] < x[j]; });
+  double worst = 0;
+  for (const double b : heights) {
+    double inside = 0, at_most = 0;  // points in the open box and in the closed box
+    const auto look = [&](double a, bool open, bool closed) {
+      if (boxes.open && open) worst = std::max(worst, a * b - inside / n);
+      if (boxes.closed && closed) worst = std::max(worst, at_most / n - a * b);
+    };
+    for (std::size_t i = 0; i < order.size();) {
+      const double a = x[order[i]];
+      look(a, true, false);
+      for (; i < order.size() && x[order[i]] == a; ++i) {
+        inside += y[order[i]] < b ? 1 : 0;
+        at_most += y[order[i]] <= b ? 1 : 0;
+      }
+      look(a, false, true);
+    }
+    if (boxes.to_1_right) look(1, true, true);
+  }
+  return worst;
+}
+
+void Discrepancies::add_line(const Values& x) {  // boxes of height 1, points at 0
+  add(MEASURE(star_discrepancy_1d, x), x, Values(x.size()), true);
+}
+
+void Discrepancies::add_plane(const Values& x, const Values& y) {
+  add(MEASURE(star_discrepancy_2d, x, y), x, y, false);
+}
+
+void Discrepancies::add(const Measured<double>& got, const Values& x, const Values& y,
+                        bool is_line) {
+  const auto of = [=](Boxes boxes) {
+    Values heights = is_line ? Values{} : y;
+    if (is_line || boxes.to_1_above) heights.push_back(1);
+    return worst_box(x, y, heights, boxes);
+  };
+  results_.add(got.call, got.value, of({}), 1e-14, [=]() -> std::vector<Suspect> {
+    const std::string
+        closed =
+            "only open boxes were used: boxes that include the points on their border count, "
+            "too",
+        open =
+            "only closed boxes were used: boxes that exclude the points on their border count, "
+            "too",
+        to_1 = "only boxes that end at points were used: boxes that end at 1 count, too";
+    return {{of({.closed = false}), closed},
+            {of({.open = false}), open},
+            {of({.to_1_right = false, .to_1_above = false}), to_1},
+            {of({.to_1_right = false}), to_1}};
+  });
+}
+
+void Discrepancies::expect() {
+  results_.is_tame = true;
+  results_.expect("the largest of |volume - fraction of the points inside| over all boxes",
+                  "each side of a box ends at 1 or at any point; count the points inside without "
+                  "those on its upper and right border, and with them");
+}
+
+Values on_a_grid(Rng& rng, std::size_t n) {
+  Values x(n);
+  for (double& value : x) value = static_cast<double>(rng() % 6) / 5;
+  return x;
+}
+
+/// The least CPU time of three runs, minus that for a single point.
+double cpu_seconds(const std::function<Call(std::size_t)>& measure, std::size_t n) {
+  const auto seconds = [&](std::size_t size) {
+    const Call call = measure(size);
+    if (call.outcome.over_limit()) return infinity;
+    require_value(call);
+    return call.outcome.cpu_seconds;
+  };
+  const auto least = [&](std::size_t size) {
+    return std::min({seconds(size), seconds(size), seconds(size)});
+  };
+  return std::max(1e-4, least(n) - least(1));
+}
+
+void check_growth(const char* what, const std::function<Call(std::size_t)>& measure, std::size_t n,
+                  double most, const std::string& cost) {
+  const double few = cpu_seconds(measure, n / 4), many = cpu_seconds(measure, n);
+  expect_that(
+      many < 0.1 || many < most * few,
+      fmt::format("{}: {} points took {} of CPU time, {} took {:.3g} s", what, n,
+                  std::isinf(many) ? "too much" : fmt::format("{:.3g} s", many), n / 4, few),
+      fmt::format("at most {} times as long", most), "the header promises " + cost,
+      "count the points inside by sorting, not separately for each box");
+}
 
 }  // namespace
 }  // namespace mc::checks

@@ -14,69 +14,23 @@ double value_of(std::uint64_t bits) {
 }
 
 /// For each k, two values that share k bits and differ in the next; the others are random.
-Values pairs_that_share(Rng& rng) {
-  Values x;
-  for (int k = 0; k < 53; ++k) {
-    const std::uint64_t word = rng() >> 11, bit = std::uint64_t{1} << (52 - k);
-    x.insert(x.end(), {value_of(word), value_of(word ^ bit ^ (rng() & (bit - 1)))});
-  }
-  return x;
-}
-
-SampleSets scrambled(const Values& x, const std::vector<std::uint64_t>& seeds) {
-  return sets_from_columns(MEASURE(owen_scramble, x, seeds), x.size(), 1, seeds.size());
-}
-
-std::string flips_hint(const Uniforms& of_zero) {
-  const auto all_are = [&](auto is) { return std::ranges::all_of(of_zero.values, is); };
-  if (all_are([](double u) { return u == 0; })) return "0 stays 0: nothing is flipped";
-  if (all_are([](double u) { return u == 0 || u == 1 - half_ulp; })) {
-    return "all bits of 0 are flipped in the same way: 0 and 00 are different strings before a bit";
-  }
-  if (all_are([](double u) { return u * 0x1p32 == std::floor(u * 0x1p32); })) {
-    return "only 32 bits were scrambled; scramble all 53";
-  }
-  const std::size_t different = std::set(of_zero.values.begin(), of_zero.values.end()).size();
-  if (different < of_zero.values.size() / 2) {
-    return fmt::format(
-        "{} seeds flip the bits of 0 in only {} ways: mix seed, position and bits "
-        "by a hash, such as mix_bits of common/rng.hpp",
-        of_zero.values.size(), different);
-  }
-  return {};
-}
-
-/// Scrambled a and b share k bits, as a and b do.
-void check_pair(const std::string& call, double a, double b, double to_a, double to_b, int k) {
-  const auto is_multiple = [&](double unit) {
-    return std::fmod(to_a, unit) + std::fmod(to_b, unit) == 0;
-  };
-  expect_that(shared_bits(to_a, to_b) == k && is_multiple(half_ulp),
-              fmt::format("{}: {:.17g} and {:.17g} became {:.17g} and {:.17g}, which share {} bits",
-                          call, a, b, to_a, to_b, shared_bits(to_a, to_b)),
-              fmt::format("{} bits, of 53, as the values themselves", k),
-              "the flip of a bit depends only on the bits before it, which are the same here",
-              !is_multiple(half_ulp)            ? "there is no bit after the 53rd"
-              : k >= 31 && is_multiple(0x1p-32) ? "only 32 bits were scrambled; scramble all 53"
-              : to_a == to_b ? "two values became equal: their last bits were lost"
-                             : "the flip of a bit must not depend on the bits after it");
-}
+Values pairs_that_share(Rng& rng);
+SampleSets scrambled(const Values& x, const std::vector<std::uint64_t>& seeds);
+/// Pair k of x shares k bits in a set, too, which `seed` scrambled.
+void check_pair(const Values& x, const SampleSets& got, std::size_t set, std::uint64_t seed, int k);
+std::string flips_hint(const Uniforms& of_zero);
+void check_pairs(Rng& rng);
+void check_triples(int depth, Rng& rng);
+void check_first_flips(Rng& rng);
+void check_last_flips(Rng& rng);
+void judge_errors_of_a_net(int depth, Rng& rng);
 
 CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][points:2][main]") {
   const Values x = pairs_that_share(rng);
   const auto seeds = domain::seeds(rng, 3);
   const SampleSets got = scrambled(x, seeds);
   for (std::size_t set = 0; set < 3; ++set) {
-    const View column = got.column(set, 0);
-    for (int k = 0; k < 53; ++k) {
-      const std::size_t i = 2 * static_cast<std::size_t>(k);
-      const double a = column[i], b = column[i + 1];
-      if (shared_bits(a, b) != k || std::fmod(a, half_ulp) + std::fmod(b, half_ulp) != 0) {
-        const SampleSets alone = scrambled({x[i], x[i + 1]}, {seeds[set]});  // easier to repeat
-        check_pair(alone.call, x[i], x[i + 1], alone.values()[0], alone.values()[1], k);
-      }
-      check_pair(got.call, x[i], x[i + 1], a, b, k);
-    }
+    for (int k = 0; k < 53; ++k) check_pair(x, got, set, seeds[set], k);
   }
   // Unscrambled values pass this, too.
   const SampleSets of_zero = scrambled({0}, domain::seeds(rng, 400));
@@ -98,6 +52,131 @@ CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][needs:5.8][points:2][edge
   expect_independent_uniforms(
       many, {.words = "different seeds give independent numbers",
              .rule = "different seeds have different states of 64 bits: do not truncate a hash"});
+}
+
+CHECK_CASE("5.8 each bit is flipped at random for each string before it",
+           "[5.8][needs:5.8][points:5]") {
+  check_pairs(rng);
+  for (const int depth : {0, 20, 31, 44}) check_triples(depth, rng);
+  check_first_flips(rng);
+  check_last_flips(rng);
+}
+
+CHECK_CASE("5.8 a value is scrambled the same way in any column",
+           "[5.8][needs:5.8][points:1][edge]") {
+  for (const std::size_t n : domain::sizes(65537, rng)) {
+    Values x(n);
+    for (double& value : x) {  // on average every 7th has bits after the 32nd
+      value = rng() % 7 == 0 ? value_of(rng() >> 11) : static_cast<double>(rng() >> 32) * 0x1p-32;
+    }
+    const std::uint64_t seed = rng();
+    const SampleSets got = scrambled(x, {seed});
+    Values longer(x.rbegin(), x.rend());
+    longer.insert(longer.begin(), 2 + n % 5, 1 - half_ulp);
+    const SampleSets there = scrambled(longer, {seed});
+    const View column = there.column(0, 0), all = got.values();
+    expect_each(
+        {there.call, {column.rbegin().base() - static_cast<std::ptrdiff_t>(n), column.end()}},
+        {.exact = {all.rbegin(), all.rend()},
+         .because = "a function of value and seed only: the same values in reverse, after others"});
+    const std::size_t skip = rng() % n, size = 1 + (rng() % (n - skip) >> rng() % 8);
+    const View some = View(x).subspan(skip, size), exact = all.subspan(skip, size);
+    const SampleSets part = scrambled({some.begin(), some.end()}, {seed});
+    expect_each(
+        {part.call, part.values()},
+        {.exact = {exact.begin(), exact.end()},
+         .because = "a function of value and seed only: a part of the column of " + got.call});
+  }
+}
+
+CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][needs:5.8][points:2]") {
+  for (const int depth : {0, 20}) judge_errors_of_a_net(depth, rng);
+}
+
+Values pairs_that_share(Rng& rng) {
+  Values x;
+  for (int k = 0; k < 53; ++k) {
+    const std::uint64_t word = rng() >> 11, bit = std::uint64_t{1} << (52 - k);
+    x.insert(x.end(), {value_of(word), value_of(word ^ bit ^ (rng() & (bit - 1)))});
+  }
+  return x;
+}
+
+SampleSets scrambled(const Values& x, const std::vector<std::uint64_t>& seeds) {
+  return sets_from_columns(MEASURE(owen_scramble, x, seeds), x.size(), 1, seeds.size());
+}
+
+void check_pair(const Values& x, const SampleSets& got, std::size_t set, std::uint64_t seed,
+                int k) {
+  const auto are_multiples = [](View pair, double unit) {
+    return std::fmod(pair[0], unit) + std::fmod(pair[1], unit) == 0;
+  };
+  const auto holds = [&](View pair) {
+    return shared_bits(pair[0], pair[1]) == k && are_multiples(pair, half_ulp);
+  };
+  const View from = View(x).subspan(2 * static_cast<std::size_t>(k), 2);
+  const View in_list = got.column(set, 0).subspan(2 * static_cast<std::size_t>(k), 2);
+  if (holds(in_list)) return;
+  const SampleSets alone = scrambled({from.begin(), from.end()}, {seed});  // easier to repeat
+  const bool is_alone = !holds(alone.values());
+  const View to = is_alone ? View(alone.values()) : in_list;
+  expect_that(
+      false,
+      fmt::format("{}: {:.17g} and {:.17g} became {:.17g} and {:.17g}, which share {} bits",
+                  is_alone ? alone.call : got.call, from[0], from[1], to[0], to[1],
+                  shared_bits(to[0], to[1])),
+      fmt::format("{} bits, of 53, as the values themselves", k),
+      "the flip of a bit depends only on the bits before it, which are the same here",
+      "the flip of a bit must not depend on the bits after it",
+      k >= 31 && are_multiples(to, 0x1p-32) ? "only 32 bits were scrambled; scramble all 53" : "");
+}
+
+std::string flips_hint(const Uniforms& of_zero) {
+  const auto is_alike = [](double u) { return u == 0 || u == 1 - half_ulp; };
+  if (std::ranges::all_of(of_zero.values, is_alike)) {
+    return "all bits of 0 are flipped in the same way: 0 and 00 are different strings before a bit";
+  }
+  const std::size_t different = std::set(of_zero.values.begin(), of_zero.values.end()).size();
+  if (different < of_zero.values.size() / 2) {
+    return fmt::format(
+        "{} seeds flip the bits of 0 in only {} ways: mix seed, position and bits "
+        "by a hash, such as mix_bits of common/rng.hpp",
+        of_zero.values.size(), different);
+  }
+  return {};
+}
+
+const std::string nested = "a separate flip for each string of bits before a bit, for each seed";
+const std::string independent = "flips after different strings are independent";
+constexpr std::size_t many_seeds = 1500;
+
+/// The flips of the bits after bit k, of two values that differ in bit k. Each pair is tested
+/// separately: larger groups need only be nearly independent.
+void check_pairs(Rng& rng) {
+  const Values pairs = pairs_that_share(rng);
+  const SampleSets got = scrambled(pairs, domain::in_a_row(rng() >> 1, many_seeds));
+  for (std::size_t k = 0; k < 52; ++k) {
+    const double a = pairs[2 * k], b = pairs[2 * k + 1];
+    const std::uint64_t after = (std::uint64_t{1} << (52 - k)) - 1;
+    Uniforms apart{fmt::format("{}: the flips of {:.17g} after bit {} XOR those of {:.17g}",
+                               got.call, a, k, b)};
+    bool is_shift = true;
+    for (std::size_t set = 0; set < many_seeds; ++set) {
+      const View column = got.column(set, 0);
+      const std::uint64_t both =
+          (bits_of(column[2 * k]) ^ bits_of(a) ^ bits_of(column[2 * k + 1]) ^ bits_of(b)) & after;
+      is_shift = is_shift && both == 0;
+      apart.values.push_back(value_of(both << (k + 1) | (rng() >> (63 - k))));
+    }
+    expect_independent_uniforms(
+        apart,
+        {.words = independent, .alpha = 1e-8 / 52, .rule = nested, .explain = [&] {
+           return k > 0 || !is_shift
+                      ? nested
+                      : "every bit is flipped in the same way for all strings before it: "
+                        "that is a digital shift; draw a flip for each string of bits before";
+         }});
+  }
 }
 
 /// Any three of the 15 decisions about four bits after the first `depth` bits are independent: the
@@ -161,54 +240,23 @@ void check_triples(int depth, Rng& rng) {
        "one, after the fixed steps"});
 }
 
-CHECK_CASE("5.8 each bit is flipped at random for each string before it",
-           "[5.8][needs:5.8][points:5]") {
-  constexpr std::size_t count = 1500;
-  const std::string nested = "a separate flip for each string of bits before a bit, for each seed";
-  const std::string independent = "flips after different strings are independent";
-  // The flips of the bits after bit k, of two values that differ in bit k. Each pair is tested
-  // separately: larger groups need only be nearly independent.
-  const Values pairs = pairs_that_share(rng);
-  const SampleSets got = scrambled(pairs, domain::in_a_row(rng() >> 1, count));
-  for (std::size_t k = 0; k < 52; ++k) {
-    const double a = pairs[2 * k], b = pairs[2 * k + 1];
-    const std::uint64_t after = (std::uint64_t{1} << (52 - k)) - 1;
-    Uniforms apart{fmt::format("{}: the flips of {:.17g} after bit {} XOR those of {:.17g}",
-                               got.call, a, k, b)};
-    bool is_shift = true;
-    for (std::size_t set = 0; set < count; ++set) {
-      const View column = got.column(set, 0);
-      const std::uint64_t both =
-          (bits_of(column[2 * k]) ^ bits_of(a) ^ bits_of(column[2 * k + 1]) ^ bits_of(b)) & after;
-      is_shift = is_shift && both == 0;
-      apart.values.push_back(value_of(both << (k + 1) | (rng() >> (63 - k))));
-    }
-    expect_independent_uniforms(
-        apart, {.words = independent, .alpha = 1e-8 / 52, .rule = "", .explain = [&] {
-                  return !is_shift ? nested
-                         : k == 0
-                             ? "every bit is flipped in the same way for all strings before it: "
-                               "that is a digital shift; draw a flip for each string of bits before"
-                             : fmt::format("the flips after bit {} do not depend on that bit", k);
-                }});
-  }
-  for (const int depth : {0, 20, 31, 44}) check_triples(depth, rng);
-  // All flips that the first 32 points show.
+/// All flips that the first 32 points show.
+void check_first_flips(Rng& rng) {
   const Values points = sobol_points(0, 0, 32);
-  const SampleSets all = scrambled(points, domain::in_a_row(rng() >> 1, count));
+  const SampleSets all = scrambled(points, domain::in_a_row(rng() >> 1, many_seeds));
   Uniforms decided{all.call, 32};
   decided.name = [](std::size_t i) {
     return fmt::format("the flips that value {} shows first", i);
   };
-  for (std::size_t set = 0; set < count; ++set) {
+  for (std::size_t set = 0; set < many_seeds; ++set) {
     append(decided.values, uniforms_of_flips(points, all.column(set, 0), rng));
   }
-  expect_independent_uniforms(decided,
-                              {.words = independent,
-                               .rule = nested,
-                               .repeated = "a flip is repeated for another seed, level or string: "
-                                           "mix all three by a hash, do not add them"});
-  // Two of 455 random strings of 46 bits are equal with probability 1.5e-9.
+  expect_independent_uniforms(decided, {.words = independent, .rule = nested});
+}
+
+/// No flips of the last 46 bits occur twice: two of 455 random strings are equal with probability
+/// 1.5e-9.
+void check_last_flips(Rng& rng) {
   Values x{0};
   for (int k = 1; k < 7; ++k) x.push_back(std::ldexp(1, -k));
   const SampleSets by_bit = scrambled(x, domain::seeds_by_bit(rng));
@@ -222,35 +270,6 @@ CHECK_CASE("5.8 each bit is flipped at random for each string before it",
                             by_bit.call, i / x.size(), value),
                 "different flips for each seed and value", "",
                 "hash the seed and then the string, not their exclusive or or sum");
-  }
-}
-
-CHECK_CASE("5.8 a value is scrambled the same way in any column",
-           "[5.8][needs:5.8][points:1][edge]") {
-  for (const std::size_t n : domain::sizes(65537, rng)) {
-    Values x(n);
-    for (double& value : x) {  // on average every 7th has bits after the 32nd
-      value = rng() % 7 == 0 ? value_of(rng() >> 11) : static_cast<double>(rng() >> 32) * 0x1p-32;
-    }
-    const std::uint64_t seed = rng();
-    const SampleSets got = scrambled(x, {seed});
-    Values longer(x.rbegin(), x.rend());
-    longer.insert(longer.begin(), 2 + n % 5, 1 - half_ulp);
-    const SampleSets there = scrambled(longer, {seed});
-    const View column = there.column(0, 0), all = got.values();
-    expect_each(
-        {there.call, {column.rbegin().base() - static_cast<std::ptrdiff_t>(n), column.end()}},
-        {.exact = {all.rbegin(), all.rend()},
-         .because = "a function of value and seed only: the same values in reverse, after others",
-         .rule = "the result must not depend on the place of a value in its column"});
-    const std::size_t skip = rng() % n, size = 1 + (rng() % (n - skip) >> rng() % 8);
-    const View some = View(x).subspan(skip, size), exact = all.subspan(skip, size);
-    const SampleSets part = scrambled({some.begin(), some.end()}, {seed});
-    expect_each(
-        {part.call, part.values()},
-        {.exact = {exact.begin(), exact.end()},
-         .because = "a function of value and seed only: a part of the column of " + got.call,
-         .rule = "the result must not depend on the length of a column"});
   }
 }
 
@@ -291,17 +310,13 @@ void judge_errors_of_a_net(int depth, Rng& rng) {
                   quartile),
       below, replicates, 0.5, {"the errors of scrambled points of the line are Gaussian", 1e-17},
       {{},
-       below <= replicates / 2
-           ? "each point must be random in its stratum, independently of the others"
+       below < replicates / 2
+           ? ""
            : fmt::format(
                  "pairs and triples of decisions are independent, but larger groups are not: {} "
                  "errors are above 5 standard deviations (1 in 1,700,000 for a Gaussian), and the "
                  "others are small; a decision must not be a sum of the bits before it",
                  huge)});
-}
-
-CHECK_CASE("5.8 a scrambled net has Gaussian errors", "[5.8][needs:5.8][points:2]") {
-  for (const int depth : {0, 20}) judge_errors_of_a_net(depth, rng);
 }
 
 }  // namespace

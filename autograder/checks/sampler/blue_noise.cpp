@@ -18,16 +18,7 @@ struct BlueSets {
   Uses uses;
   double low, radius;
 };
-std::vector<BlueSets> blue_sets(Rng& rng) {
-  const auto few = 55 + rng() % 26, some = 200 + rng() % 101, many = 1025 + rng() % 76;
-  const auto between = [](double low, double high, double at) { return low + (high - low) * at; };
-  const double radius_few = between(0.615, 0.627, static_cast<double>(few - 55) / 25),
-               radius_some = between(0.636, 0.648, static_cast<double>(some - 200) / 100);
-  return {{some, 21, {2}, 0.11, radius_some},
-          {some, 21, {1, 2}, 0.11, radius_some},
-          {many, 1, {1, 1, 2}, 0.11, 0},
-          {few, 241, {2}, 0.0907 + 1.9 / static_cast<double>(few), radius_few}};
-}
+std::vector<BlueSets> blue_sets(Rng& rng);
 
 CHECK_CASE("6.7 the first next2 is blue noise", "[6.7][main][points:5][needs:4]") {
   for (const auto& [n, sets, uses, low, radius] : blue_sets(rng)) {
@@ -43,21 +34,19 @@ CHECK_CASE("6.7 the first next2 is blue noise", "[6.7][main][points:5][needs:4]"
                       std::sqrt(2 / (std::sqrt(3) * static_cast<double>(n))));
     }
     std::ranges::sort(radii);
-    const std::string hint =
-        // Without a next() it passed.
-        uses.size() == 2 ? "the first next2() must be blue noise even after a next()"
-        : mean_low > 0.25
-            ? "the first next2() must be lab 4's best_candidate(); keep x and y together"
-            : "point i is the best of i + 1 candidates, all drawn anew for each point and seed";
+    const std::string rule =
+        "the first next2(), also after a next(), must be lab 4's best_candidate() with c = 1: "
+        "point "
+        "i is the best of i + 1 candidates, all drawn anew for each seed; keep x and y together";
     expect_that(
         mean_low < low,
         fmt::format("{}: mean power {:.4f} over 0 < |k| <= sqrt(N)/2", got.call, mean_low),
         fmt::format("less than {:.3f}; c = 1 has 0.11 for N = 64, 0.09 for 256, 0.08 above", low),
-        "independent points have 1, jittered ones 0.33, ten candidates each 0.19", hint);
+        "independent points have 1, jittered ones 0.33, ten candidates each 0.19", rule);
     expect_that(radii[sets / 2] > radius,
                 fmt::format("{}: the median relative radius is {:.3f}", got.call, radii[sets / 2]),
                 fmt::format("more than {:.3f}; c = 1 has 0.64 for N = 64, 0.67 for 256", radius),
-                "too few candidates let the last points come close", hint);
+                "too few candidates let the last points come close", rule);
   }
 }
 
@@ -112,6 +101,17 @@ CHECK_CASE("6.7 the other dimensions of blue_noise are stratified",
                                  .rule = "use a different permutation for each sample dimension",
                                  .repeated = numbers_repeat});
   }
+}
+
+std::vector<BlueSets> blue_sets(Rng& rng) {
+  const auto few = 55 + rng() % 26, some = 200 + rng() % 101, many = 1025 + rng() % 76;
+  const auto between = [](double low, double high, double at) { return low + (high - low) * at; };
+  const double radius_few = between(0.615, 0.627, static_cast<double>(few - 55) / 25),
+               radius_some = between(0.636, 0.648, static_cast<double>(some - 200) / 100);
+  return {{some, 21, {2}, 0.11, radius_some},
+          {some, 21, {1, 2}, 0.11, radius_some},
+          {many, 1, {1, 1, 2}, 0.11, 0},
+          {few, 241, {2}, 0.0907 + 1.9 / static_cast<double>(few), radius_few}};
 }
 
 }  // namespace

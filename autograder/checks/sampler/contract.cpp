@@ -7,129 +7,29 @@
 #include "checks/support/expect_all_seeds.hpp"
 
 namespace mc::checks {
+namespace {
 
 using experiments::Answer;
 using experiments::Step;
 
 enum Called : unsigned { generate_call, next_call, next2_call, advance_call };
 
-inline const Step next{next_call}, next2{next2_call}, advance{advance_call};
-inline Step generate(std::uint64_t samples, std::uint64_t seed) {
+const Step next{next_call}, next2{next2_call}, advance{advance_call};
+Step generate(std::uint64_t samples, std::uint64_t seed) {
   return {generate_call, samples, seed};
 }
 
 /// The calls of one integration, with a list of uses for each sample.
-inline std::vector<Step> walk(std::size_t samples, std::uint64_t seed,
-                              const std::vector<Uses>& uses) {
-  std::vector<Step> steps{generate(samples, seed)};
-  for (const Uses& of_sample : uses) {
-    for (const unsigned use : of_sample) steps.push_back({use, 0, 0});
-    steps.push_back({advance_call, 0, 0});
-  }
-  return steps;
-}
-
-/// The calls of one sampler.
-struct Calls {
-  std::string kind, which;  ///< "sobol", ", second of two"
-  std::vector<Step> steps;
-
-  /// "sobol: generate(2, 7); next()": the calls up to step i, shortened if they are many.
-  std::string until(std::size_t i) const {
-    constexpr std::size_t most = 24;
-    std::string words = kind + which + ": ";
-    for (std::size_t k = 0; k <= i; ++k) {
-      if (i >= most && k == most / 2) {
-        words += fmt::format("… {} more …; ", i + 1 - most);
-        k += i + 1 - most;
-      }
-      words += experiments::spelled(steps[k]) + (k < i ? "; " : "");
-    }
-    return words;
-  }
-};
-
-/// The numbers that the calls of one integration, or the calls before the first one, request.
-struct Integration {
-  struct Number {
-    std::size_t sample, coordinate;
-  };
-  Uses uses = {};                                   ///< in the order of their first request
-  std::vector<std::optional<Number>> numbers = {};  ///< one per call; empty if it requests none
-
-  Integration(std::span<const Step> calls, std::uint64_t samples) {
-    std::array<std::vector<std::size_t>, 3> coordinates;  // of the k-th next() and the k-th next2()
-    std::array<std::size_t, 3> count{};                   // requested by this sample
-    std::size_t sample = 0, dims = 0;
-    for (const auto& [call, of_generate, seed] : calls) {
-      if (call == advance_call) ++sample, count = {};
-      auto& number = numbers.emplace_back();
-      if ((call != next_call && call != next2_call) || sample >= samples) continue;
-      if (count[call] == coordinates[call].size()) {
-        coordinates[call].push_back(dims);
-        uses.push_back(call);
-        dims += call;
-      }
-      number = {sample, coordinates[call][count[call]++]};
-    }
-  }
-};
-
+std::vector<Step> walk(std::size_t samples, std::uint64_t seed, const std::vector<Uses>& uses);
+/// Random calls, in integrations with up to `most` samples.
+std::vector<Step> any_calls(std::size_t count, std::size_t most, Rng& rng);
 /// The answers fulfill 6.4: next() and next2() throw std::out_of_range if there is no sample;
 /// otherwise they return the numbers of a new sampler whose samples all request all sample
 /// dimensions, in the order of their first request here.
-inline void expect_answers(const Calls& calls, std::span<const Answer> answers,
-                           const Claim& claim) {
-  const std::vector<Step>& steps = calls.steps;
-  const auto fail_at = [&](std::size_t i, const std::string& gave, const std::string& expected) {
-    expect_that(false, calls.until(i) + ' ' + gave, expected, claim.because, claim.rule);
-  };
-  for (std::size_t first = 0, end = 0; first < steps.size(); first = end) {
-    for (++end; end < steps.size() && steps[end].call != generate_call;) ++end;
-    const auto [_, samples, seed] = steps[first];
-    const Integration all(std::span<const Step>(steps).subspan(first, end - first), samples);
-    std::optional<SampleSets> columns;
-    if (!all.uses.empty()) columns = columns_of(calls.kind, samples, {seed}, all.uses);
-    for (std::size_t i = first; i < end; ++i) {
-      const auto& [thrown, x, y] = answers[i];
-      const auto& number = all.numbers[i - first];
-      const unsigned call = steps[i].call;
-      const bool must_throw = !number && (call == next_call || call == next2_call);
-      if (thrown != (must_throw ? 1 : 0)) {
-        constexpr const char* words[] = {"threw nothing", "threw std::out_of_range",
-                                         "threw std::invalid_argument"};
-        fail_at(i, words[std::min(thrown, 2u)],
-                must_throw ? "std::out_of_range: there is no sample" : "no exception");
-      }
-      if (!number) continue;
-      const double expected_x = columns->column(0, number->coordinate)[number->sample];
-      const double expected_y =
-          call == next2_call ? columns->column(0, number->coordinate + 1)[number->sample] : y;
-      if (x == expected_x && y == expected_y) continue;
-      const auto words = [&](double a, double b) {
-        return call == next_call ? fmt::format("{:.17g}", a)
-                                 : fmt::format("({:.17g}, {:.17g})", a, b);
-      };
-      fail_at(i, "gave " + words(x, y),
-              fmt::format("{} for this dimension of sample {}, as in {}",
-                          words(expected_x, expected_y), number->sample, columns->call));
-    }
-  }
-  pass();
-}
-
-inline void expect_contract(const std::string& kind, const std::vector<Step>& steps,
-                            const Claim& claim) {
-  const Call call = MEASURE_OUTCOME(play, kind, steps);
-  if (call.outcome.answered && call.outcome.status == wire::Status::other_exception) {
-    fail(Failure{fmt::format("{} threw {}", call.text, call.outcome.bytes), "no exception",
-                 claim.because, "", claim.rule});
-  }
-  expect_answers({kind, "", steps},
-                 result_of<std::vector<Answer>>(call).exactly(steps.size(), any_number), claim);
-}
-
-namespace {
+void expect_contract(const std::string& kind, const std::vector<Step>& steps, const Claim& claim);
+void expect_answers(const std::string& kind, const char* which, const std::vector<Step>& steps,
+                    std::span<const Answer> answers, const Claim& claim);
+void check_columns(const std::string& kind, const SampleSets& got);
 
 CHECK_CASE("6.4 there are numbers for exactly N samples", "[6.4][edge][points:3]") {
   for (const std::string& kind : sampler_kinds) {
@@ -140,10 +40,6 @@ CHECK_CASE("6.4 there are numbers for exactly N samples", "[6.4][edge][points:3]
                     {"next() and next2() need a sample; advance() never throws",
                      "next() and next2() have a counter each; advance() resets both"});
   }
-  const Call largest = MEASURE_OUTCOME(columns, "halton", most_samples, {1}, {});
-  expect_that(largest.outcome.status != wire::Status::invalid_argument,
-              largest.text + " threw std::invalid_argument", "no exception",
-              "most_samples = 2^27 samples are allowed", "refuse only samples > most_samples");
 }
 
 std::vector<InvalidCall> impossible() {
@@ -161,23 +57,7 @@ std::vector<InvalidCall> impossible() {
 REFUSAL_CASES("6.4", "0 samples and too many are refused", "0.5", "a refusal names the argument",
               "0.5", impossible())
 
-/// Random calls, in integrations with up to `most` samples.
-std::vector<Step> any_calls(std::size_t count, std::size_t most, Rng& rng) {
-  std::vector<Step> steps;
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::uint64_t word = rng() >> 32;
-    const unsigned call = static_cast<unsigned>(word % 16);
-    steps.push_back(i == 0 || word % 67 == 0 ? generate(1 + rng() % most, fresh_seed(rng))
-                    : call < 7               ? next
-                    : call < 12              ? next2
-                                             : advance);
-  }
-  return steps;
-}
-
 CHECK_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
-  const std::string left_over =
-      "the previous integration left something behind: reset counters, columns and generators";
   for (const std::string& kind : sampler_kinds) {
     const std::uint64_t seed = fresh_seed(rng);
     const std::vector<Uses> all(9, Uses{1, 2, 2, 1, 1});
@@ -199,7 +79,10 @@ CHECK_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
       const bool is_whole = walk.size() > 18;
       steps.insert(steps.end(), walk.begin(), walk.end() - (is_whole ? 0 : 1));
     }
-    expect_contract(kind, steps, {"generate() starts anew, whatever was called before", left_over});
+    expect_contract(kind, steps,
+                    {"generate() starts anew, whatever was called before",
+                     "the previous integration left something behind: reset "
+                     "counters, columns and generators"});
     for (const std::size_t most : {3u, 40u}) {
       expect_contract(kind, any_calls(600, most, rng),
                       {"calls in any order give the numbers of a new object",
@@ -217,40 +100,9 @@ CHECK_CASE("6.4 two samplers at once share nothing", "[6.4][points:2]") {
     const auto both = std::span(got.exactly(2 * steps.size(), any_number));
     const Claim claim{"two samplers used in turn behave as in two programs",
                       "both samplers change a static or global variable"};
-    expect_answers({kind, ", first of two", steps}, both.first(steps.size()), claim);
-    expect_answers({kind, ", second of two", other}, both.last(steps.size()), claim);
+    expect_answers(kind, ", first of two", steps, both.first(steps.size()), claim);
+    expect_answers(kind, ", second of two", other, both.last(steps.size()), claim);
   }
-}
-
-/// For every kind except independent, all numbers of an integration are different, and the first
-/// next() of all but halton has one number in each stratum. (6.1, 6.3 and 6.7 test the others.)
-void check_columns(const std::string& kind, const SampleSets& got) {
-  if (kind == "independent") return;
-  std::multiset<double> all;
-  for (std::size_t c = 0; c < got.dims; ++c) {
-    const View x = got.column(0, c);
-    const bool is_blue = kind == "blue_noise" && (c == 1 || c == 2);  // next(), next2()
-    if (!is_blue && kind != "halton" && kind != "sobol") all.insert(x.begin(), x.end());
-  }
-  for (std::size_t c = 1; c < got.dims && got.n > 1; ++c) {
-    for (std::size_t before = 0; before < c; ++before) {
-      expect_that(
-          !std::ranges::equal(got.column(0, c), got.column(0, before)),
-          fmt::format("{}: coordinate {} has the numbers of coordinate {}", got.call, c, before),
-          "other numbers", "different columns are independent",
-          "make a new column for each sample dimension, however many there are");
-    }
-  }
-  const std::size_t different = std::set(all.begin(), all.end()).size();
-  expect_that(different == all.size(), fmt::format("{}: {} different numbers", got.call, different),
-              fmt::format("{}, one for each sample dimension of each sample", all.size()),
-              "equal numbers with 53 random bits occur here once in 1e10 runs",
-              "advance() must move to the next sample, and next() to the next sample dimension");
-  if (kind == "halton") return;
-  expect_one_in_each_cell(got, 0, line_of(got.n, 0),
-                          kind == "blue_noise"
-                              ? "in blue_noise every next() is stratified, as in 6.2"
-                              : "make the whole column of a sample dimension at once (6.2, 6.3)");
 }
 
 CHECK_CASE("6.4 a sample may request less than the one before", "[6.4][main][points:4]") {
@@ -328,6 +180,147 @@ TEST_CASE("6.4 an unused sample dimension costs no memory", "[6.4][edge][points:
                     {"first 2^27 samples without requests, then 4 samples",
                      "make a column when it is first requested, with one number per sample"});
   }
+}
+
+std::vector<Step> walk(std::size_t samples, std::uint64_t seed, const std::vector<Uses>& uses) {
+  std::vector<Step> steps{generate(samples, seed)};
+  for (const Uses& of_sample : uses) {
+    for (const unsigned use : of_sample) steps.push_back({use, 0, 0});
+    steps.push_back({advance_call, 0, 0});
+  }
+  return steps;
+}
+
+std::vector<Step> any_calls(std::size_t count, std::size_t most, Rng& rng) {
+  std::vector<Step> steps;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint64_t word = rng() >> 32;
+    const unsigned call = static_cast<unsigned>(word % 16);
+    steps.push_back(i == 0 || word % 67 == 0 ? generate(1 + rng() % most, fresh_seed(rng))
+                    : call < 7               ? next
+                    : call < 12              ? next2
+                                             : advance);
+  }
+  return steps;
+}
+
+/// "sobol: generate(2, 7); next()": the calls up to step i, shortened if they are many.
+std::string calls_until(std::size_t i, const std::string& of, const std::vector<Step>& steps) {
+  constexpr std::size_t most = 24;
+  std::string words = of + ": ";
+  for (std::size_t k = 0; k <= i; ++k) {
+    if (i >= most && k == most / 2) {
+      words += fmt::format("… {} more …; ", i + 1 - most);
+      k += i + 1 - most;
+    }
+    words += experiments::spelled(steps[k]) + (k < i ? "; " : "");
+  }
+  return words;
+}
+
+/// The numbers that the calls of one integration, or the calls before the first one, request.
+struct Integration {
+  struct Number {
+    std::size_t sample, coordinate;
+  };
+  Uses uses = {};                                   ///< in the order of their first request
+  std::vector<std::optional<Number>> numbers = {};  ///< one per call; empty if it requests none
+
+  Integration(std::span<const Step> calls, std::uint64_t samples) {
+    std::array<std::vector<std::size_t>, 3> coordinates;  // of the k-th next() and the k-th next2()
+    std::array<std::size_t, 3> count{};                   // requested by this sample
+    std::size_t sample = 0, dims = 0;
+    for (const auto& [call, of_generate, seed] : calls) {
+      if (call == advance_call) ++sample, count = {};
+      auto& number = numbers.emplace_back();
+      if ((call != next_call && call != next2_call) || sample >= samples) continue;
+      if (count[call] == coordinates[call].size()) {
+        coordinates[call].push_back(dims);
+        uses.push_back(call);
+        dims += call;
+      }
+      number = {sample, coordinates[call][count[call]++]};
+    }
+  }
+};
+
+void expect_answers(const std::string& kind, const char* which, const std::vector<Step>& steps,
+                    std::span<const Answer> answers, const Claim& claim) {
+  const auto fail_at = [&](std::size_t i, const std::string& gave, const std::string& expected) {
+    expect_that(false, calls_until(i, kind + which, steps) + ' ' + gave, expected, claim.because,
+                claim.rule);
+  };
+  for (std::size_t first = 0, end = 0; first < steps.size(); first = end) {
+    for (++end; end < steps.size() && steps[end].call != generate_call;) ++end;
+    const auto [_, samples, seed] = steps[first];
+    const Integration all(std::span<const Step>(steps).subspan(first, end - first), samples);
+    std::optional<SampleSets> columns;
+    if (!all.uses.empty()) columns = columns_of(kind, samples, {seed}, all.uses);
+    for (std::size_t i = first; i < end; ++i) {
+      const auto& [thrown, x, y] = answers[i];
+      const auto& number = all.numbers[i - first];
+      const unsigned call = steps[i].call;
+      const bool must_throw = !number && (call == next_call || call == next2_call);
+      if (thrown != (must_throw ? 1 : 0)) {
+        constexpr const char* words[] = {"threw nothing", "threw std::out_of_range",
+                                         "threw std::invalid_argument"};
+        fail_at(i, words[std::min(thrown, 2u)],
+                must_throw ? "std::out_of_range: there is no sample" : "no exception");
+      }
+      if (!number) continue;
+      const double expected_x = columns->column(0, number->coordinate)[number->sample];
+      const double expected_y =
+          call == next2_call ? columns->column(0, number->coordinate + 1)[number->sample] : y;
+      if (x == expected_x && y == expected_y) continue;
+      const auto words = [&](double a, double b) {
+        return call == next_call ? fmt::format("{:.17g}", a)
+                                 : fmt::format("({:.17g}, {:.17g})", a, b);
+      };
+      fail_at(i, "gave " + words(x, y),
+              fmt::format("{} for this dimension of sample {}, as in {}",
+                          words(expected_x, expected_y), number->sample, columns->call));
+    }
+  }
+  pass();
+}
+
+void expect_contract(const std::string& kind, const std::vector<Step>& steps, const Claim& claim) {
+  const Call call = MEASURE_OUTCOME(play, kind, steps);
+  if (call.outcome.answered && call.outcome.status == wire::Status::other_exception) {
+    fail(Failure{fmt::format("{} threw {}", call.text, call.outcome.bytes), "no exception",
+                 claim.because, "", claim.rule});
+  }
+  expect_answers(kind, "", steps,
+                 result_of<std::vector<Answer>>(call).exactly(steps.size(), any_number), claim);
+}
+
+/// For every kind except independent, all numbers of an integration are different, and the first
+/// next() of all but halton has one number in each stratum. (6.1, 6.3 and 6.7 test the others.)
+void check_columns(const std::string& kind, const SampleSets& got) {
+  if (kind == "independent") return;
+  std::multiset<double> all;
+  for (std::size_t c = 0; c < got.dims; ++c) {
+    const View x = got.column(0, c);
+    const bool is_blue = kind == "blue_noise" && (c == 1 || c == 2);  // next(), next2()
+    if (!is_blue && kind != "halton" && kind != "sobol") all.insert(x.begin(), x.end());
+  }
+  for (std::size_t c = 1; c < got.dims && got.n > 1; ++c) {
+    for (std::size_t before = 0; before < c; ++before) {
+      expect_that(
+          !std::ranges::equal(got.column(0, c), got.column(0, before)),
+          fmt::format("{}: coordinate {} has the numbers of coordinate {}", got.call, c, before),
+          "other numbers", "different columns are independent",
+          "make a new column for each sample dimension, however many there are");
+    }
+  }
+  const std::size_t different = std::set(all.begin(), all.end()).size();
+  expect_that(different == all.size(), fmt::format("{}: {} different numbers", got.call, different),
+              fmt::format("{}, one for each sample dimension of each sample", all.size()),
+              "equal numbers with 53 random bits occur here once in 1e10 runs",
+              "advance() must move to the next sample, and next() to the next sample dimension");
+  if (kind == "halton") return;
+  expect_one_in_each_cell(got, 0, line_of(got.n, 0),
+                          "make the whole column of a next() at once: stratified, or a sequence");
 }
 
 }  // namespace

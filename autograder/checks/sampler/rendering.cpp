@@ -12,56 +12,24 @@ namespace {
 using experiments::keyed_next;
 using experiments::keyed_value;
 
-/// A keyed integral, and its values as the checks know them.
+/// The pixels of a picture of this size.
+template <class Measured>
+const Values& pixels_of(const Measured& got, std::size_t width, std::size_t height) {
+  const Image& image = got.exactly(width * height);
+  expect_that(image.width == width && image.height == height,
+              fmt::format("{}: an image of {} x {} pixels", got.call, image.width, image.height),
+              fmt::format("{} x {}", width, height), "the image is as large as the scene", "");
+  return image.pixels;
+}
+
+/// A keyed integral, of values from `low` to `high`.
 struct KeyedIntegral {
   std::uint64_t key, samples, seed;
   double low, high;
-
-  /// The value of evaluation k, if it is of sample i of generate(n, of).
-  double value(std::uint64_t k, std::uint64_t i, std::uint64_t n, std::uint64_t of) const {
-    const double v = keyed_value(key, 0, 0, k, keyed_next(key, n, of, i));
-    return v < 1. / 3 ? 0 : low + (high - low) * v;
-  }
-  double value(std::uint64_t i) const { return value(i, i, samples, seed); }
-  template <class Value>
-  Values all(Value value_of) const {
-    Values values;
-    for (std::uint64_t i = 0; i < samples; ++i) values.push_back(value_of(i));
-    return values;
-  }
-
-  std::vector<Suspect> suspects() const {
-    const auto n = static_cast<double>(samples);
-    const Values values = all([&](std::uint64_t i) { return value(i); });
-    const double sum = sum_of(values);
-    const auto mean_of = [&](auto value_of) { return sum_of(all(value_of)) / n; };
-    return {{sum, "divide by the number of samples"},
-            {mean_of([&](std::uint64_t i) { return value(i, 0, samples, seed); }),
-             "call advance() after each sample, to move to the next one"},
-            {mean_of([&](std::uint64_t i) { return value(i, i + 1, samples + 1, seed); }),
-             "call advance() after each sample, not before it"},
-            {mean_of([&](std::uint64_t i) { return value(i, i, samples, 0); }),
-             "pass the seed to generate()"},
-            {mean_of([&](std::uint64_t i) {
-               return value(i, i, samples, static_cast<std::uint32_t>(seed));
-             }),
-             "do not truncate the seed to 32 bits"},
-            {integer_sum(values) / n, "the values were added up in an int, which truncates"},
-            {sum / (n - 1), "this divides by N - 1: divide by N"},
-            {(sum - values.back()) / n, "the last sample is missing"}};
-  }
 };
-
 /// integrate() gives the mean of keyed values, which depend on the seed, on the number of samples,
 /// and on which sample is evaluated when: only the loop over all samples gives it.
-void expect_integral(Results& results, const KeyedIntegral& one) {
-  const auto got = MEASURE(integrate_keyed, one.key, one.low, one.high, one.samples, one.seed);
-  const auto n = static_cast<double>(one.samples);
-  const Values values = one.all([&](std::uint64_t i) { return one.value(i); });
-  const double scale = std::max(std::abs(one.low), std::abs(one.high));
-  results.add(got.call, got.value, sum_of(values) / n, 2 * n * 0x1p-52 * scale,
-              [=] { return one.suspects(); });
-}
+void expect_integral(Results& results, const KeyedIntegral& one);
 
 const std::string in_order =
     "generate(samples, seed) once, then for each sample: evaluate the scene once, add, advance()";
@@ -121,16 +89,6 @@ CHECK_CASE("6.5 every kind is unbiased on every scene",
   }
 }
 
-/// The pixels of a picture of this size.
-template <class Measured>
-const Values& pixels_of(const Measured& got, std::size_t width, std::size_t height) {
-  const Image& image = got.exactly(width * height);
-  expect_that(image.width == width && image.height == height,
-              fmt::format("{}: an image of {} x {} pixels", got.call, image.width, image.height),
-              fmt::format("{} x {}", width, height), "the image is as large as the scene", "");
-  return image.pixels;
-}
-
 /// Each pixel is the mean of values that depend on its place and on which of spp samples is
 /// evaluated when.
 CHECK_CASE("6.6 render puts every pixel in its place", "[6.6][main][points:3][needs:6.5]") {
@@ -176,20 +134,7 @@ struct Picture {
 };
 
 /// All pixels of these pictures have different seeds.
-void check_seeds(const std::vector<Picture>& pictures, const Claim& claim) {
-  Seeds seeds;
-  for (const auto& [width, height, seed] : pictures) {
-    append(seeds, MEASURE(pixel_seeds, width, height, seed).exactly(width * height, any_number));
-  }
-  const std::size_t pixels = seeds.size();
-  std::ranges::sort(seeds);
-  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
-  const auto& [width, height, seed] = pictures[0];
-  expect_that(seeds.size() == pixels,
-              fmt::format("{} x {} pixels, {} pictures, the first with seed {}: {} different seeds",
-                          width, height, pictures.size(), seed, seeds.size()),
-              fmt::format("{}, one for each pixel", pixels), claim.because, claim.rule);
-}
+void check_seeds(const std::vector<Picture>& pictures, const Claim& claim);
 
 CHECK_CASE("6.6 no two pixels have the same random numbers", "[6.6][points:3][needs:6.5]") {
   const std::uint64_t seed = fresh_seed(rng);
@@ -256,6 +201,63 @@ std::vector<InvalidCall> impossible_pictures() {
 
 REFUSAL_CASES("6.6", "impossible pictures are refused", "0.5", "a refusal names the argument", "1",
               impossible_pictures())
+
+/// The value of evaluation k, if it is of sample i of generate(n, seed).
+double value_of(const KeyedIntegral& one, std::uint64_t k, std::uint64_t i, std::uint64_t n,
+                std::uint64_t seed) {
+  const double v = keyed_value(one.key, 0, 0, k, keyed_next(one.key, n, seed, i));
+  return v < 1. / 3 ? 0 : one.low + (one.high - one.low) * v;
+}
+
+/// The values if evaluation k is of sample step * k + first of generate(samples + more, seed).
+Values values_of(const KeyedIntegral& one, std::uint64_t seed, std::uint64_t step = 1,
+                 std::uint64_t first = 0, std::uint64_t more = 0) {
+  Values values;
+  for (std::uint64_t k = 0; k < one.samples; ++k) {
+    values.push_back(value_of(one, k, step * k + first, one.samples + more, seed));
+  }
+  return values;
+}
+
+std::vector<Suspect> suspects_of(const KeyedIntegral& one) {
+  const auto n = static_cast<double>(one.samples);
+  const Values values = values_of(one, one.seed);
+  const double sum = sum_of(values);
+  return {{sum, "divide by the number of samples"},
+          {sum_of(values_of(one, one.seed, 0)) / n,
+           "call advance() after each sample, to move to the next one"},
+          {sum_of(values_of(one, one.seed, 1, 1, 1)) / n,
+           "call advance() after each sample, not before it"},
+          {sum_of(values_of(one, 0)) / n, "pass the seed to generate()"},
+          {sum_of(values_of(one, static_cast<std::uint32_t>(one.seed))) / n,
+           "do not truncate the seed to 32 bits"},
+          {integer_sum(values) / n, "the values were added up in an int, which truncates"},
+          {sum / (n - 1), "this divides by N - 1: divide by N"},
+          {(sum - values.back()) / n, "the last sample is missing"}};
+}
+
+void expect_integral(Results& results, const KeyedIntegral& one) {
+  const auto got = MEASURE(integrate_keyed, one.key, one.low, one.high, one.samples, one.seed);
+  const auto n = static_cast<double>(one.samples);
+  const double scale = std::max(std::abs(one.low), std::abs(one.high));
+  results.add(got.call, got.value, sum_of(values_of(one, one.seed)) / n, 2 * n * 0x1p-52 * scale,
+              [=] { return suspects_of(one); });
+}
+
+void check_seeds(const std::vector<Picture>& pictures, const Claim& claim) {
+  Seeds seeds;
+  for (const auto& [width, height, seed] : pictures) {
+    append(seeds, MEASURE(pixel_seeds, width, height, seed).exactly(width * height, any_number));
+  }
+  const std::size_t pixels = seeds.size();
+  std::ranges::sort(seeds);
+  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+  const auto& [width, height, seed] = pictures[0];
+  expect_that(seeds.size() == pixels,
+              fmt::format("{} x {} pixels, {} pictures, the first with seed {}: {} different seeds",
+                          width, height, pictures.size(), seed, seeds.size()),
+              fmt::format("{}, one for each pixel", pixels), claim.because, claim.rule);
+}
 
 }  // namespace
 }  // namespace mc::checks

@@ -6,6 +6,111 @@
 namespace mc::checks {
 namespace {
 
+/// Each of the first coordinates is another dimension of the sequence, in its order: seven, since a
+/// block of eight may leave half of a pair unused. The smallest number of samples that fails is
+/// reported; of Halton's dimensions only many samples tell large primes from others.
+void check_sequence(const std::string& kind, Rng& rng);
+void check_scrambles(const std::string& kind, Rng& rng);
+/// So are those of the rounds after a new start, in one order for all of them.
+void check_later_rounds(const std::string& kind, Rng& rng);
+/// The orders of the rounds are random: whether samples 0 and 2 share the first bit of a dimension.
+/// In the sequence's order they do or they do not; in a nested shuffle they do half of the time, in
+/// a uniform one of 16 in 7 of 15. Of 300, fewer than 75 or more than 225 do once in 1e12.
+void check_orders(const std::string& kind, Rng& rng);
+/// A sampler that goes on past eight dimensions of the Sobol' sequence has no blocks yet.
+void expect_blocks(Rng& rng);
+/// No next2() leaves more than a quarter of the cells of a square grid empty, by the first points.
+void check_cells(const SampleSets& got, std::size_t side, const Uses& uses);
+/// Optional: a sampler that refuses such a kind as unknown does not have it.
+void check_lattice(const std::string& kind, Rng& rng);
+
+CHECK_CASE("6.3 sobol is one scrambled sequence", "[6.3][main][points:5][needs:5]") {
+  check_sequence("sobol", rng);
+  check_scrambles("sobol", rng);
+}
+
+CHECK_CASE("6.3 halton is one scrambled sequence", "[6.3][points:5][needs:5]") {
+  check_sequence("halton", rng);
+  check_scrambles("halton", rng);
+}
+
+CHECK_CASE("6.3 each seed and each dimension is randomized anew", "[6.3][points:4][needs:5]") {
+  for (const std::string kind : {"sobol", "halton"}) {
+    const SampleSets got = columns_of(kind, 8, domain::seeds(rng, 400), repeated(25, {1, 2}));
+    for (const std::size_t i : {0u, 5u}) {
+      expect_independent_uniforms(
+          sample_of(got, i),
+          {.words = "each dimension is randomized independently, before and after a new start",
+           .rule = "each dimension is scrambled by its own seed, with each new start by a new one",
+           .repeated = numbers_repeat,
+           .same = "one seed is used for several dimensions: use a different one for each",
+           .explain = [&] {
+             return got.column(0, 0)[0] > 0
+                        ? ""
+                        : "an unscrambled sequence begins at the origin: scramble it";
+           }});
+    }
+  }
+}
+
+CHECK_CASE("6.3 past its last dimension sobol starts again", "[6.3][points:2][needs:5]") {
+  check_later_rounds("sobol", rng);
+  check_orders("sobol", rng);
+}
+
+CHECK_CASE("6.3 past its last dimension halton starts again", "[6.3][points:2][needs:5]") {
+  check_later_rounds("halton", rng);
+  check_orders("halton", rng);
+}
+
+CHECK_CASE("6.3 sequences have as many points as there are samples", "[6.3][points:2][needs:5]") {
+  const std::size_t n = std::size_t{1} << 17;
+  for (const std::string kind : {"sobol", "halton"}) {
+    const SampleSets got = columns_of(kind, n, {fresh_seed(rng)}, repeated(3, {2}));
+    for (std::size_t c = 0; c < got.dims; ++c) {
+      Values x(got.column(0, c).begin(), got.column(0, c).end());
+      std::ranges::sort(x);
+      expect_that(std::ranges::adjacent_find(x) == x.end(),
+                  fmt::format("{}: a number of coordinate {} occurs twice", got.call, c),
+                  "different numbers", "no two samples share a point",
+                  "a column is as long as there are samples: do indices fit into their type?");
+    }
+    if (kind == "sobol") {
+      expect_one_in_each_cell(got, lines_of(n, got.dims),
+                              "every dimension has one point in each of 2^17 intervals");
+    }
+  }
+}
+
+CHECK_CASE("6.8 every next2 of sobol fills the square grid", "[6.8][stretch][main][needs:6.3]") {
+  expect_blocks(rng);
+  for (const std::size_t side : {2u, 4u, 8u, 16u, 32u}) {
+    for (const Uses& uses :
+         {repeated(20, {2}), repeated(12, {1, 2}), Uses{1, 1, 2, 1, 2, 2, 2, 2}}) {
+      check_cells(columns_of("sobol", side * side, {fresh_seed(rng)}, uses), side, uses);
+    }
+  }
+}
+
+CHECK_CASE("6.8 the first samples of sobol fill it too", "[6.8][stretch][needs:6.3]") {
+  expect_blocks(rng);
+  const Uses uses = repeated(20, {2});
+  for (const std::size_t n : {64u, 1024u, 1000u}) {
+    const SampleSets got = columns_of("sobol", n, {fresh_seed(rng)}, uses);
+    for (const std::size_t side : {4u, 8u, 16u}) {
+      if (side * side < n) check_cells(got, side, uses);
+    }
+  }
+}
+
+CHECK_CASE("6.8 lattice has points of one lattice", "[6.8][stretch][edge][needs:5]") {
+  check_lattice("lattice", rng);
+}
+
+CHECK_CASE("6.8 lattice_unfolded has them without the tent", "[6.8][stretch][edge][needs:5]") {
+  check_lattice("lattice_unfolded", rng);
+}
+
 /// Several ways to request the first eight dimensions.
 const std::vector<Uses> ways{
     {2, 2, 2, 2}, {1, 2, 1, 2, 2}, {2, 1, 1, 1, 2}, {1, 1, 1, 1, 1, 1, 1, 1}, {1, 2, 2, 2}};
@@ -31,9 +136,6 @@ std::string likely_of(const std::string& kind, const Uses& uses, Rng& rng) {
   return {};
 }
 
-/// Each of the first coordinates is another dimension of the sequence, in its order: seven, since a
-/// block of eight may leave half of a pair unused. The smallest number of samples that fails is
-/// reported; of Halton's dimensions only many samples tell large primes from others.
 void check_sequence(const std::string& kind, Rng& rng) {
   for (const std::size_t n : {1u, 2u, 3u, 7u, 16u, 61u, 64u, 1025u}) {
     for (const Uses& way : ways) {
@@ -43,9 +145,7 @@ void check_sequence(const std::string& kind, Rng& rng) {
           false,
           fmt::format("{}: coordinate {} is no dimension of the sequence, in its order", got.call,
                       first_wrong(kind, got, way)),
-          kind == "sobol" ? "another scrambled dimension: sample i has point i"
-                          : "another prime's radical inverses, with permuted digits: sample "
-                            "i has point i",
+          "another dimension, randomized: sample i has point i",
           "scrambling does not change how many leading digits two points share",
           "each request takes the next dimension of one sequence, with the points from index "
           "0 on and one scramble for all samples",
@@ -93,50 +193,16 @@ Uniforms decisions_of(const std::string& kind, const SampleSets& got,
   return decisions;
 }
 
-void check_scrambles(const std::string& kind, const std::string& likely, Rng& rng) {
+void check_scrambles(const std::string& kind, Rng& rng) {
   const SampleSets got = columns_of(kind, 64, domain::seeds(rng, 400), {2, 2, 2});
   const auto found = first_round(kind, got, {2, 2, 2});
   expect_independent_uniforms(
       decisions_of(kind, got, found, rng),
       {.words = "all flips of bits, and permutations of digits, are random and independent",
-       .rule = likely,
+       .rule = "use owen_scramble of lab 5, with a different seed for each dimension (permuted "
+               "digits are only a digital shift in base 2: a digital shift flips a bit of all "
+               "points in the same way), and permuted digits (5.9) in larger bases",
        .is_certain = true});
-}
-
-CHECK_CASE("6.3 sobol is one scrambled sequence", "[6.3][main][points:5][needs:5]") {
-  check_sequence("sobol", rng);
-  check_scrambles("sobol",
-                  "use owen_scramble of lab 5, with a different seed for each dimension (a digital "
-                  "shift flips a bit of all points in the same way)",
-                  rng);
-}
-
-CHECK_CASE("6.3 halton is one scrambled sequence", "[6.3][points:5][needs:5]") {
-  check_sequence("halton", rng);
-  check_scrambles("halton",
-                  "base 2: use owen_scramble of lab 5 (permuted digits are only a digital shift, "
-                  "which flips a bit of all points in the same way); larger bases: permuted digits "
-                  "(5.9); a different seed for each dimension",
-                  rng);
-}
-
-CHECK_CASE("6.3 each seed and each dimension is randomized anew", "[6.3][points:4][needs:5]") {
-  for (const std::string kind : {"sobol", "halton"}) {
-    const SampleSets got = columns_of(kind, 8, domain::seeds(rng, 400), repeated(25, {1, 2}));
-    for (const std::size_t i : {0u, 5u}) {
-      expect_independent_uniforms(
-          sample_of(got, i),
-          {.words = "each dimension is randomized independently, before and after a new start",
-           .rule = "each dimension is scrambled by its own seed, with each new start by a new one",
-           .repeated = numbers_repeat,
-           .same = "one seed is used for several dimensions: use a different one for each",
-           .explain = [&] {
-             return got.column(0, 0)[0] > 0
-                        ? ""
-                        : "an unscrambled sequence begins at the origin: scramble it";
-           }});
-    }
-  }
 }
 
 /// Where the requests of a sampler start again at the first dimension: its rounds, as coordinates
@@ -192,9 +258,6 @@ void check_later_rounds(const std::string& kind, Rng& rng) {
   }
 }
 
-/// The orders of the rounds are random: whether samples 0 and 2 share the first bit of a dimension.
-/// In the sequence's order they do or they do not; in a nested shuffle they do half of the time, in
-/// a uniform one of 16 in 7 of 15. Of 300, fewer than 75 or more than 225 do once in 1e12.
 void check_orders(const std::string& kind, Rng& rng) {
   const std::size_t n = 16, sets = 300;
   const Uses uses = repeated(50, {2});
@@ -233,38 +296,6 @@ void check_orders(const std::string& kind, Rng& rng) {
   }
 }
 
-CHECK_CASE("6.3 past its last dimension sobol starts again", "[6.3][points:2][needs:5]") {
-  check_later_rounds("sobol", rng);
-  check_orders("sobol", rng);
-}
-
-CHECK_CASE("6.3 past its last dimension halton starts again", "[6.3][points:2][needs:5]") {
-  check_later_rounds("halton", rng);
-  check_orders("halton", rng);
-}
-
-CHECK_CASE("6.3 sequences have as many points as there are samples", "[6.3][points:2][needs:5]") {
-  const std::size_t n = std::size_t{1} << 17;
-  for (const std::string kind : {"sobol", "halton"}) {
-    const SampleSets got = columns_of(kind, n, {fresh_seed(rng)}, repeated(3, {2}));
-    for (std::size_t c = 0; c < got.dims; ++c) {
-      Values x(got.column(0, c).begin(), got.column(0, c).end());
-      std::ranges::sort(x);
-      expect_that(std::ranges::adjacent_find(x) == x.end(),
-                  fmt::format("{}: a number of coordinate {} occurs twice", got.call, c),
-                  "different numbers", "no two samples share a point",
-                  "a column is as long as there are samples: do indices fit into their type?");
-    }
-    if (kind == "sobol") {
-      expect_one_in_each_cell(got, lines_of(n, got.dims),
-                              "every dimension has one point in each of 2^17 intervals");
-    }
-  }
-}
-
-// 6.8, without points -----------------------------------------------------------------------------
-
-/// A sampler that goes on past eight dimensions of the Sobol' sequence has no blocks yet.
 void expect_blocks(Rng& rng) {
   const Uses uses = repeated(5, {2});
   if (first_round("sobol", columns_of("sobol", 200, {fresh_seed(rng)}, uses), uses).size() < 10) {
@@ -274,7 +305,6 @@ void expect_blocks(Rng& rng) {
   fail("not written yet: 6.8");
 }
 
-/// No next2() leaves more than a quarter of the cells of a square grid empty, by the first points.
 void check_cells(const SampleSets& got, std::size_t side, const Uses& uses) {
   std::size_t c = 0;
   for (const unsigned use : uses) {
@@ -299,28 +329,6 @@ void check_cells(const SampleSets& got, std::size_t side, const Uses& uses) {
   }
 }
 
-CHECK_CASE("6.8 every next2 of sobol fills the square grid", "[6.8][stretch][main][needs:6.3]") {
-  expect_blocks(rng);
-  for (const std::size_t side : {2u, 4u, 8u, 16u, 32u}) {
-    for (const Uses& uses :
-         {repeated(20, {2}), repeated(12, {1, 2}), Uses{1, 1, 2, 1, 2, 2, 2, 2}}) {
-      check_cells(columns_of("sobol", side * side, {fresh_seed(rng)}, uses), side, uses);
-    }
-  }
-}
-
-CHECK_CASE("6.8 the first samples of sobol fill it too", "[6.8][stretch][needs:6.3]") {
-  expect_blocks(rng);
-  const Uses uses = repeated(20, {2});
-  for (const std::size_t n : {64u, 1024u, 1000u}) {
-    const SampleSets got = columns_of("sobol", n, {fresh_seed(rng)}, uses);
-    for (const std::size_t side : {4u, 8u, 16u}) {
-      if (side * side < n) check_cells(got, side, uses);
-    }
-  }
-}
-
-/// Optional: a sampler that refuses such a kind as unknown does not have it.
 void check_lattice(const std::string& kind, Rng& rng) {
   const Call call = MEASURE_OUTCOME(columns, kind, 1, {1}, {1});
   if (call.outcome.answered && call.outcome.status == wire::Status::invalid_argument) {
@@ -333,16 +341,7 @@ void check_lattice(const std::string& kind, Rng& rng) {
   expect_independent_uniforms(sample_of(got, 3),
                               {.words = "each dimension has a random shift",
                                .rule = "each dimension has its own random shift at each new start",
-                               .repeated = numbers_repeat,
                                .same = "one shift for several dimensions: each needs its own"});
-}
-
-CHECK_CASE("6.8 lattice has points of one lattice", "[6.8][stretch][edge][needs:5]") {
-  check_lattice("lattice", rng);
-}
-
-CHECK_CASE("6.8 lattice_unfolded has them without the tent", "[6.8][stretch][edge][needs:5]") {
-  check_lattice("lattice_unfolded", rng);
 }
 
 }  // namespace

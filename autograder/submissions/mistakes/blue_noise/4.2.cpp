@@ -44,6 +44,11 @@ void choose(std::span<double> x, std::span<double> y, double c, Rng& rng, Count 
 }  // namespace
 }  // namespace mc
 
+#define BEST_CANDIDATE(count, distance)                                               \
+  void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) { \
+    choose(x, y, c, rng, count, distance);                                            \
+  }
+
 // mistake: compares candidates within the square, so points crowd at its edges
 // hint: distances are measured within the square
 namespace mc::candidates_in_the_square {
@@ -55,41 +60,34 @@ double distance(std::span<double> x, std::span<double> y, std::size_t i, Point2 
   }
   return nearest;
 }
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  choose(x, y, c, rng, right_count, distance);
-}
+BEST_CANDIDATE(right_count, distance)
 }  // namespace mc::candidates_in_the_square
 
 // mistake: uses i + 1 candidates, whatever c is
 // hint: there are i + 1 candidates
 namespace mc::deaf_to_c {
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  const auto count = [](double, std::size_t i) { return static_cast<double>(i) + 1; };
-  choose(x, y, c, rng, count, distance_to_all);
+double count(double, std::size_t i) {
+  return static_cast<double>(i) + 1;
 }
+BEST_CANDIDATE(count, distance_to_all)
 }  // namespace mc::deaf_to_c
 
 // mistake: compares candidates only with the last point
 // hint: the candidates are far from the last point
 namespace mc::farthest_from_the_last {
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  const auto distance = [](auto xs, auto ys, std::size_t i, Point2 candidate) {
-    if (i == 0) return 1.0;
-    return std::min(1.0, toroidal_distance_squared(candidate, {xs[i - 1], ys[i - 1]}));
-  };
-  choose(x, y, c, rng, right_count, distance);
+double distance(std::span<double> x, std::span<double> y, std::size_t i, Point2 candidate) {
+  return i == 0 ? 1 : toroidal_distance_squared(candidate, {x[i - 1], y[i - 1]});
 }
+BEST_CANDIDATE(right_count, distance)
 }  // namespace mc::farthest_from_the_last
 
 // mistake: keeps the candidate that is nearest to the other points
 // hint: keep the farthest
 namespace mc::keeps_the_nearest {
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  const auto distance = [](auto xs, auto ys, std::size_t i, Point2 candidate) {
-    return 2 - distance_to_all(xs, ys, i, candidate);
-  };
-  choose(x, y, c, rng, right_count, distance);
+double distance(std::span<double> x, std::span<double> y, std::size_t i, Point2 candidate) {
+  return 2 - distance_to_all(x, y, i, candidate);
 }
+BEST_CANDIDATE(right_count, distance)
 }  // namespace mc::keeps_the_nearest
 
 // mistake: ends the loop one point early
@@ -104,10 +102,10 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 // mistake: uses ceil(c i) candidates, one too few
 // hint: one is missing
 namespace mc::no_candidate_to_spare {
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  const auto count = [](double by, std::size_t i) { return std::max(1.0, right_count(by, i) - 1); };
-  choose(x, y, c, rng, count, distance_to_all);
+double count(double c, std::size_t i) {
+  return std::max(1.0, right_count(c, i) - 1);
 }
+BEST_CANDIDATE(count, distance_to_all)
 }  // namespace mc::no_candidate_to_spare
 
 // mistake: overwrites its last point with the first
@@ -132,67 +130,67 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 // mistake: rounds c i down
 // hint: round c i up
 namespace mc::rounds_candidates_down {
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  const auto count = [](double by, std::size_t i) {
-    return std::floor(by * static_cast<double>(i)) + 1;
-  };
-  choose(x, y, c, rng, count, distance_to_all);
+double count(double c, std::size_t i) {
+  return std::floor(c * static_cast<double>(i)) + 1;
 }
+BEST_CANDIDATE(count, distance_to_all)
 }  // namespace mc::rounds_candidates_down
 
-// mistake: tries 1,000 candidates at most
-// hint: draw ceil(c i) + 1 new candidates
-namespace mc::thousand_candidates {
+// mistake: counts from 0 to ceil(c i) + 1, one candidate too many
+// hint: there is one candidate too many
+namespace mc::one_candidate_more {
 double count(double c, std::size_t i) {
-  return std::min(1000.0, right_count(c, i));
+  return right_count(c, i) + 1;
 }
+BEST_CANDIDATE(count, distance_to_all)
+}  // namespace mc::one_candidate_more
+
+// mistake: does not reset the nearest distance for the next candidate, so the first one wins
+// hint: as irregular as uniform points: keep the farthest of several candidates
+namespace mc::nearest_never_reset {
+BEST_CANDIDATE(right_count, ([nearest = 1.0, point = std::size_t{0}](auto x, auto y, std::size_t i,
+                                                                     Point2 candidate) mutable {
+                 if (std::exchange(point, i) != i) nearest = 1;
+                 return nearest = std::min(nearest, distance_to_all(x, y, i, candidate));
+               }))
+}  // namespace mc::nearest_never_reset
+
+// mistake: stores coordinates as floats
+// hint: use no float
+namespace mc::float_coordinates {
 void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  choose(x, y, c, rng, count, distance_to_all);
+  right_best_candidate(x, y, c, rng);
+  for (const auto& axis : {x, y}) {
+    for (double& value : axis) value = std::min(static_cast<float>(value), 0x1.fffffep-1f);
+  }
 }
-}  // namespace mc::thousand_candidates
+}  // namespace mc::float_coordinates
 
 // mistake: counts candidates in 16 bits
 // hint: ceil(c i) + 1 new candidates
 namespace mc::count_of_16_bits {
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  const auto count = [](double c_, std::size_t i) { return std::fmod(right_count(c_, i), 65536); };
-  choose(x, y, c, rng, count, distance_to_all);
+double count(double c, std::size_t i) {
+  return std::fmod(right_count(c, i), 65536);
 }
+BEST_CANDIDATE(count, distance_to_all)
 }  // namespace mc::count_of_16_bits
 
 // mistake: searches the nine cells around a candidate and treats everything beyond as equally far
 // hint: the search misses the nearest point
 namespace mc::cells_around_only {
-// Up to 256 points it compares with all. From there on it knows cells of a fixed grid, too fine.
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  const std::size_t plain = std::min<std::size_t>(x.size(), 256);
-  if (x.size() != y.size() || x.size() <= plain) return right_best_candidate(x, y, c, rng);
-  right_best_candidate(x.first(plain), y.first(plain), c, rng);
-  constexpr std::size_t side = 64;
-  std::vector<std::vector<std::size_t>> cells(side * side);
-  const auto cell = [](double at) { return static_cast<std::size_t>(at * side); };
-  for (std::size_t p = 0; p < plain; ++p) cells[cell(y[p]) * side + cell(x[p])].push_back(p);
-  for (std::size_t i = plain; i < x.size(); ++i) {
-    const double candidates = std::ceil(c * static_cast<double>(i)) + 1;
-    double farthest = -1;
-    for (double k = 0; k < candidates; ++k) {
-      const Point2 candidate = uniform_point(rng);
-      double nearest = 1;
-      for (std::size_t dj = side - 1; dj <= side + 1; ++dj) {
-        for (std::size_t di = side - 1; di <= side + 1; ++di) {
-          const std::size_t row = (cell(candidate.y) + dj) % side;
-          for (const std::size_t p : cells[row * side + (cell(candidate.x) + di) % side]) {
-            nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
-          }
-        }
-      }
-      if (nearest > farthest) {
-        farthest = nearest;
-        x[i] = candidate.x;
-        y[i] = candidate.y;
-      }
-    }
-    cells[cell(y[i]) * side + cell(x[i])].push_back(i);
+// From 256 points on it knows only the cells of a grid that is too fine.
+double distance(std::span<double> x, std::span<double> y, std::size_t i, Point2 candidate) {
+  if (i < 256) return distance_to_all(x, y, i, candidate);
+  const auto cells_apart = [](double a, double b) {
+    const double apart = std::abs(std::floor(64 * a) - std::floor(64 * b));
+    return std::min(apart, 64 - apart);
+  };
+  double nearest = 1;
+  for (std::size_t p = 0; p < i; ++p) {
+    if (cells_apart(x[p], candidate.x) > 1 || cells_apart(y[p], candidate.y) > 1) continue;
+    nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
   }
+  return nearest;
 }
+BEST_CANDIDATE(right_count, distance)
 }  // namespace mc::cells_around_only

@@ -10,15 +10,6 @@ namespace {
 
 constexpr double least_radius = 1e-5;
 
-PointSet as_set(const std::vector<Point2>& points) {
-  PointSet set(points.size(), 2);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    set.column(0)[i] = points[i].x;
-    set.column(1)[i] = points[i].y;
-  }
-  return set;
-}
-
 /// Darts until `misses` in a row are nearer to a point than the radius.
 template <class DistanceSquared>
 PointSet darts(double radius, Rng& rng, int misses, DistanceSquared distance_squared) {
@@ -32,7 +23,7 @@ PointSet darts(double radius, Rng& rng, int misses, DistanceSquared distance_squ
     if (fits) points.push_back(dart);
     missed = fits ? 0 : missed + 1;
   }
-  return as_set(points);
+  return columns_of(points);
 }
 
 /// Darts on a grid of side x side cells that store one point each; `reach` cells on each side are
@@ -64,7 +55,7 @@ PointSet darts_on_grid(double radius, Rng& rng, double cells_per_side, int reach
     cell(column, row) = dart;
     points.push_back(dart);
   }
-  return as_set(points);
+  return columns_of(points);
 }
 
 std::size_t enough_misses(std::size_t points) {
@@ -124,50 +115,41 @@ struct Bridson {
 }  // namespace
 }  // namespace mc
 
+#define POISSON_DISK(...)                          \
+  PointSet poisson_disk(double radius, Rng& rng) { \
+    return __VA_ARGS__;                            \
+  }
+
 // mistake: places new points only on the edge of an existing disk
-// hint: too regular
+// hint: not only on rims of disks
 namespace mc::at_the_rim {
 PointSet poisson_disk(double radius, Rng& rng) {
   if (!(radius >= least_radius)) return right_poisson_disk(radius, rng);
   Bridson pattern{radius, rng};
   pattern.fill(300, [&] { return radius * (1 + 1e-9); });
-  return as_set(pattern.points);
+  return columns_of(pattern.points);
 }
 }  // namespace mc::at_the_rim
-
-// mistake: uses cells as wide as the radius, which can hold two points but store only the last
-// hint: must not have room for two
-namespace mc::cells_of_the_radius {
-PointSet poisson_disk(double radius, Rng& rng) {
-  return darts_on_grid(radius, rng, 1 / radius, 1, enough_misses);
-}
-}  // namespace mc::cells_of_the_radius
 
 // mistake: rounds the number of cells down, so a cell can hold two points but stores only the last
 // hint: must not have room for two
 namespace mc::cells_rounded_down {
-PointSet poisson_disk(double radius, Rng& rng) {
-  return darts_on_grid(radius, rng, std::numbers::sqrt2 / radius, 2, enough_misses);
-}
+POISSON_DISK(darts_on_grid(radius, rng, std::numbers::sqrt2 / radius, 2, enough_misses))
 }  // namespace mc::cells_rounded_down
 
 // mistake: measures the distance within the square, not across its edges
 // hint: close only across an edge
 namespace mc::edges_ignored {
-PointSet poisson_disk(double radius, Rng& rng) {
-  return darts(radius, rng, 100, [](Point2 a, Point2 b) {
-    const double distance = std::hypot(a.x - b.x, a.y - b.y);
-    return distance * distance;
-  });
+double distance_squared(Point2 a, Point2 b) {
+  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
+POISSON_DISK(darts(radius, rng, 100, distance_squared))
 }  // namespace mc::edges_ignored
 
 // mistake: searches the eight cells around a point, in a grid whose cells are too narrow for that
 // hint: compare each new point with all points near it
 namespace mc::eight_cells_around {
-PointSet poisson_disk(double radius, Rng& rng) {
-  return darts_on_grid(radius, rng, std::ceil(std::numbers::sqrt2 / radius), 1, enough_misses);
-}
+POISSON_DISK(darts_on_grid(radius, rng, std::ceil(std::numbers::sqrt2 / radius), 1, enough_misses))
 }  // namespace mc::eight_cells_around
 
 // mistake: fills the square with four copies of a pattern of twice the radius
@@ -198,28 +180,16 @@ PointSet poisson_disk(double radius, Rng& rng) {
 }
 }  // namespace mc::generator_of_its_own
 
-// mistake: throws darts until ten in a row miss
-// hint: a number of misses in a row does not prove
-namespace mc::gives_up_early {
-PointSet poisson_disk(double radius, Rng& rng) {
-  return darts(radius, rng, 10, toroidal_distance_squared);
-}
-}  // namespace mc::gives_up_early
-
 // mistake: throws darts until 300 in a row miss
 // hint: a number of misses in a row does not prove
 namespace mc::three_hundred_misses {
-PointSet poisson_disk(double radius, Rng& rng) {
-  return darts(radius, rng, 300, toroidal_distance_squared);
-}
+POISSON_DISK(darts(radius, rng, 300, toroidal_distance_squared))
 }  // namespace mc::three_hundred_misses
 
 // mistake: takes the radius for that of disks that may touch, so points are too close
 // hint: half the radius is kept
 namespace mc::half_the_radius {
-PointSet poisson_disk(double radius, Rng& rng) {
-  return right_poisson_disk(radius >= 2e-5 ? radius / 2 : radius, rng);
-}
+POISSON_DISK(right_poisson_disk(radius >= 2e-5 ? radius / 2 : radius, rng))
 }  // namespace mc::half_the_radius
 
 // mistake: starts with a radius whose pattern does not fit into memory

@@ -39,6 +39,16 @@ void by_waves(std::span<const double> x, std::span<const double> y, int kmax,
 }  // namespace
 }  // namespace mc
 
+#define PERIODOGRAM(...)                                                           \
+  void periodogram(std::span<const double> x, std::span<const double> y, int kmax, \
+                   std::span<double> power) {                                      \
+    __VA_ARGS__;                                                                   \
+  }
+#define CHANGED(...) \
+  PERIODOGRAM(changed(x, y, kmax, power, [](double p, double n) { return __VA_ARGS__; }))
+#define BY_WAVES(Real, ...) \
+  PERIODOGRAM(by_waves<Real>(x, y, kmax, power, [](double turns) { return __VA_ARGS__; }))
+
 // mistake: adds to the previous contents of the output
 // hint: only added to
 namespace mc::adds_to_the_output {
@@ -53,19 +63,13 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 // mistake: returns the amplitude of each wave instead of its power
 // hint: this is |sum|
 namespace mc::amplitude {
-void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
-                 std::span<double> power) {
-  changed(x, y, kmax, power, [](double p, double n) { return std::sqrt(p * n); });
-}
+CHANGED(std::sqrt(p* n))
 }  // namespace mc::amplitude
 
 // mistake: divides by N without squaring
 // hint: this is |sum| / N
 namespace mc::amplitude_over_n {
-void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
-                 std::span<double> power) {
-  changed(x, y, kmax, power, [](double p, double n) { return std::sqrt(p * n) / n; });
-}
+CHANGED(std::sqrt(p* n) / n)
 }  // namespace mc::amplitude_over_n
 
 // mistake: swaps kx and ky
@@ -74,8 +78,6 @@ namespace mc::columns_of_ky {
 void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
                  std::span<double> power) {
   right_periodogram(x, y, kmax, power);
-  const auto n = static_cast<double>(x.size());
-  if (n < 1) return;
   const auto side = static_cast<std::size_t>(2 * kmax + 1);
   for (std::size_t j = 0; j < side; ++j) {
     for (std::size_t i = 0; i < j; ++i) std::swap(power[j * side + i], power[i * side + j]);
@@ -86,51 +88,31 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 // mistake: squares only the real part
 // hint: the sum of sines is missing
 namespace mc::cosines_alone {
-void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
-                 std::span<double> power) {
-  by_waves<double>(x, y, kmax, power, [](double turns) {
-    return std::complex(std::cos(2 * std::numbers::pi * turns));
-  });
-}
+BY_WAVES(double, std::complex(std::cos(2 * std::numbers::pi * turns)))
 }  // namespace mc::cosines_alone
 
 // mistake: forgets the 2 in 2 pi
 // hint: the angle is 2 pi k x
 namespace mc::half_a_turn {
-void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
-                 std::span<double> power) {
-  by_waves<double>(x, y, kmax, power,
-                   [](double turns) { return std::polar(1.0, -std::numbers::pi * turns); });
-}
+BY_WAVES(double, std::polar(1.0, -std::numbers::pi* turns))
 }  // namespace mc::half_a_turn
 
 // mistake: sets the power at k = 0 to zero
 // hint: the power at k = 0 belongs to the result
 namespace mc::mean_taken_out {
-void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
-                 std::span<double> power) {
-  right_periodogram(x, y, kmax, power);
-  const auto n = static_cast<double>(x.size());
-  if (n > 0) power[power.size() / 2] = 0;
-}
+PERIODOGRAM(right_periodogram(x, y, kmax, power), power[power.size() / 2] = 0)
 }  // namespace mc::mean_taken_out
 
 // mistake: divides the sum by N, squares it, and divides by N
 // hint: this is divided by N twice
 namespace mc::over_n_twice {
-void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
-                 std::span<double> power) {
-  changed(x, y, kmax, power, [](double p, double n) { return p / n; });
-}
+CHANGED(p / n)
 }  // namespace mc::over_n_twice
 
 // mistake: does not divide by the number of points
 // hint: divide by the number of points
 namespace mc::power_not_over_n {
-void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
-                 std::span<double> power) {
-  changed(x, y, kmax, power, [](double p, double n) { return p * n; });
-}
+CHANGED(p* n)
 }  // namespace mc::power_not_over_n
 
 // mistake: throws with a message that does not name the argument
@@ -161,12 +143,7 @@ void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
 // mistake: computes its waves in float
 // hint: in double
 namespace mc::waves_in_float {
-void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
-                 std::span<double> power) {
-  by_waves<float>(x, y, kmax, power, [](double turns) {
-    return std::polar(1.0f, static_cast<float>(-2 * std::numbers::pi * turns));
-  });
-}
+BY_WAVES(float, std::polar(1.0f, static_cast<float>(-2 * std::numbers::pi * turns)))
 }  // namespace mc::waves_in_float
 
 // mistake: mirrors half of the plane with P(kx, ky) = P(kx, -ky)

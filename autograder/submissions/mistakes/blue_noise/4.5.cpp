@@ -55,6 +55,16 @@ std::vector<double> radial_power(std::span<const double> power, int kmax) {
 }
 }  // namespace mc::corners_kept
 
+// mistake: writes 0 for ring 0
+// hint: ring 0 is 0: it must be NaN
+namespace mc::zero_in_ring_0 {
+std::vector<double> radial_power(std::span<const double> power, int kmax) {
+  std::vector<double> rings = right_radial_power(power, kmax);
+  rings[0] = 0;
+  return rings;
+}
+}  // namespace mc::zero_in_ring_0
+
 // mistake: leaves the power at k = 0 in ring 0
 // hint: ring 0 has the power at k = 0
 namespace mc::mean_left_in {

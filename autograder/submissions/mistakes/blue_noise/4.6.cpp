@@ -25,12 +25,9 @@ PointSet tile(const PointSet& pattern, int copies) {
 namespace mc::mirrored_copies {
 PointSet tile(const PointSet& pattern, int copies) {
   PointSet tiled = right_tile(pattern, copies);
-  const auto x = tiled.column(0);
-  for (double& value : x) {
-    const double cell = std::floor(value * copies);
-    const double within = value * copies - cell;
-    if (static_cast<int>(cell) % 2 == 1)
-      value = std::min((cell + 1 - within) / copies, 1 - 0x1p-53);
+  for (double& value : tiled.column(0)) {
+    const double cell = std::floor(value * copies), within = value * copies - cell;
+    if (std::fmod(cell, 2) == 1) value = std::min((cell + 1 - within) / copies, 1 - 0x1p-53);
   }
   return tiled;
 }
@@ -41,14 +38,8 @@ PointSet tile(const PointSet& pattern, int copies) {
 namespace mc::rounded_up_to_one {
 PointSet tile(const PointSet& pattern, int copies) {
   PointSet tiled = right_tile(pattern, copies);
-  std::size_t i = 0;
-  for (int row = 0; row < copies; ++row) {
-    for (int column = 0; column < copies; ++column) {
-      for (std::size_t p = 0; p < pattern.size(); ++p, ++i) {
-        tiled.column(0)[i] = (column + pattern.column(0)[p]) / copies;
-        tiled.column(1)[i] = (row + pattern.column(1)[p]) / copies;
-      }
-    }
+  for (const std::size_t d : {0u, 1u}) {
+    for (double& value : tiled.column(d)) value = value == 1 - 0x1p-53 ? 1 : value;
   }
   return tiled;
 }

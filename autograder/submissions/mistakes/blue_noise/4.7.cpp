@@ -1,27 +1,16 @@
 // Mistakes in task 4.7.
-#include "blue_noise.hpp"
-
 #define best_candidate right_best_candidate
-#define poisson_disk right_poisson_disk
-#include "solutions/blue_noise.cpp"
+#include "autograder/submissions/mistakes/blue_noise/4.3.cpp"
 #undef best_candidate
-#undef poisson_disk
 
-namespace mc {
-namespace {
+#define DARTS_ON_GRID(misses)                                                         \
+  POISSON_DISK(darts_on_grid(radius, rng, std::ceil(std::numbers::sqrt2 / radius), 2, \
+                             [](std::size_t points) -> std::size_t { return misses; }))
 
-/// The first i points, each compared with a candidate, until one is nearer than the best so far.
-double nearest_of_all(std::span<double> x, std::span<double> y, std::size_t i, Point2 candidate,
-                      double best) {
-  double nearest = 1;
-  for (std::size_t p = 0; p < i && nearest > best; ++p) {
-    nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
-  }
-  return nearest;
-}
-
-/// Best candidates, each compared with all points, or until it is known to be worse than the best.
-void compare_all(std::span<double> x, std::span<double> y, double c, Rng& rng, bool stops_early) {
+// mistake: compares a candidate until one point is too near: a third of the work, still quadratic
+// hint: compare a candidate only with points nearby
+namespace mc::compares_until_too_near {
+void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
   require_pairs(x.size(), y.size());
   if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: must be positive and finite");
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -29,7 +18,10 @@ void compare_all(std::span<double> x, std::span<double> y, double c, Rng& rng, b
     double best = -1;
     for (double k = 0; k < candidates; ++k) {
       const Point2 candidate = uniform_point(rng);
-      const double nearest = nearest_of_all(x, y, i, candidate, stops_early ? best : -1);
+      double nearest = 1;
+      for (std::size_t p = 0; p < i && nearest > best; ++p) {
+        nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
+      }
       if (nearest <= best) continue;
       best = nearest;
       x[i] = candidate.x;
@@ -37,55 +29,7 @@ void compare_all(std::span<double> x, std::span<double> y, double c, Rng& rng, b
     }
   }
 }
-
-/// Darts on a grid whose cells hold one point, until misses(number of points) in a row.
-template <class Misses>
-PointSet darts_on_grid(double radius, Rng& rng, Misses misses) {
-  if (!(radius >= 1e-5)) return right_poisson_disk(radius, rng);
-  const int side = std::max(1, static_cast<int>(std::ceil(std::numbers::sqrt2 / radius)));
-  std::vector<Point2> cells(static_cast<std::size_t>(side) * side, Point2{-1, -1}), points;
-  const auto cell = [&](int column, int row) -> Point2& {
-    const int i = (column + side) % side, j = (row + side) % side;
-    return cells[static_cast<std::size_t>(j) * side + i];
-  };
-  const auto fits = [&](Point2 dart, int column, int row) {
-    for (int j = row - std::min(2, side); j <= row + std::min(2, side); ++j) {
-      for (int i = column - std::min(2, side); i <= column + std::min(2, side); ++i) {
-        const Point2& near = cell(i, j);
-        if (near.x >= 0 && toroidal_distance_squared(dart, near) < radius * radius) return false;
-      }
-    }
-    return true;
-  };
-  for (std::size_t missed = 0; missed < misses(points.size()); ++missed) {
-    const Point2 dart = uniform_point(rng);
-    const int column = static_cast<int>(dart.x * side), row = static_cast<int>(dart.y * side);
-    if (!fits(dart, column, row)) continue;
-    cell(column, row) = dart;
-    points.push_back(dart);
-    missed = 0;
-  }
-  return columns_of(points);
-}
-
-}  // namespace
-}  // namespace mc
-
-// mistake: compares a candidate until one point is too near: a third of the work, still quadratic
-// hint: compare a candidate only with points nearby
-namespace mc::compares_until_too_near {
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  compare_all(x, y, c, rng, true);
-}
 }  // namespace mc::compares_until_too_near
-
-// mistake: compares each of N^2 / 2 candidates with all points
-// hint: compare a candidate only with points nearby
-namespace mc::compares_with_all {
-void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
-  compare_all(x, y, c, rng, false);
-}
-}  // namespace mc::compares_with_all
 
 // mistake: compares each dart with all points
 // hint: compare a new point only with those in the cells around it
@@ -95,13 +39,10 @@ PointSet poisson_disk(double radius, Rng& rng) {
   PointSet points = right_poisson_disk(radius, rng);
   const auto x = points.column(0), y = points.column(1);
   double closest = 1;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    for (std::size_t tries = 0; tries < 30; ++tries) {
-      for (std::size_t p = 0; p < x.size(); ++p) {
-        if (p != i) {
-          closest = std::min(closest, toroidal_distance_squared({x[i], y[i]}, {x[p], y[p]}));
-        }
-      }
+  for (std::size_t i = 0; i < 30 * x.size(); ++i) {
+    for (std::size_t p = 0, q = i % x.size(); p < x.size(); ++p) {
+      if (p != q)
+        closest = std::min(closest, toroidal_distance_squared({x[q], y[q]}, {x[p], y[p]}));
     }
   }
   if (x.size() > 1 && closest < radius * radius / 2) x[0] = 0;
@@ -112,15 +53,11 @@ PointSet poisson_disk(double radius, Rng& rng) {
 // mistake: throws darts until as many have missed in a row as there are pairs of points
 // hint: do not fill the last gaps by darts at the whole square
 namespace mc::darts_for_each_pair {
-PointSet poisson_disk(double radius, Rng& rng) {
-  return darts_on_grid(radius, rng, [](std::size_t points) { return 1000 + points * points; });
-}
+DARTS_ON_GRID(1000 + points * points)
 }  // namespace mc::darts_for_each_pair
 
 // mistake: throws darts until 1,000 in a row miss: enough for some hundred points only
 // hint: the number of tries must grow with the number of points
 namespace mc::stops_after_a_thousand_misses {
-PointSet poisson_disk(double radius, Rng& rng) {
-  return darts_on_grid(radius, rng, [](std::size_t) { return std::size_t{1000}; });
-}
+DARTS_ON_GRID(points > 0 ? 1000 : 1)
 }  // namespace mc::stops_after_a_thousand_misses

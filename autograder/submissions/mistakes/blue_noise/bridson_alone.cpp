@@ -10,7 +10,7 @@ PointSet poisson_disk(double radius, Rng& rng) {
   if (!(radius >= least_radius)) return right_poisson_disk(radius, rng);
   Bridson pattern{radius, rng};
   pattern.fill(30, [&] { return radius * std::sqrt(1 + 3 * uniform(rng)); });
-  return as_set(pattern.points);
+  return columns_of(pattern.points);
 }
 
 }  // namespace mc

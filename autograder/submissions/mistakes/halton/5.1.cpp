@@ -7,8 +7,26 @@
 #undef radical_inverse
 #undef radical_inverses
 
+namespace mc {
+namespace {
+
+/// The digits mirrored in a Word, which overflows, over a power of the base, of type Size.
+template <class Word, class Size>
+double mirrored_in(unsigned base, std::uint64_t index) {
+  require_base(base);
+  Word mirrored = 0;
+  Size size = 1;
+  for (; index > 0; index /= base, size *= base) {
+    mirrored = mirrored * base + static_cast<Word>(index % base);
+  }
+  return std::min(below_one, static_cast<double>(mirrored) / static_cast<double>(size));
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: sums in a float
-// hint: only the digits of a float are correct
+// hint: only about seven digits are correct
 namespace mc::in_floats {
 double radical_inverse(unsigned base, std::uint64_t index) {
   require_base(base);
@@ -39,25 +57,15 @@ double radical_inverse(unsigned base, std::uint64_t index) {
 // hint: the mirrored digits do not fit in 32 bits
 namespace mc::mirrors_in_32_bits {
 double radical_inverse(unsigned base, std::uint64_t index) {
-  require_base(base);
-  std::uint32_t mirrored = 0;
-  double size = 1;
-  for (; index > 0; index /= base, size *= base) {
-    mirrored = mirrored * base + static_cast<std::uint32_t>(index % base);
-  }
-  return std::min(below_one, mirrored / size);
+  return mirrored_in<std::uint32_t, double>(base, index);
 }
 }  // namespace mc::mirrors_in_32_bits
 
-// mistake: mirrors the digits in 64 bits, which overflow, and multiplies by a power of 1 / base
+// mistake: mirrors the digits in 64 bits, which overflow
 // hint: the mirrored digits do not fit in 64 bits
 namespace mc::mirrors_in_64_bits {
 double radical_inverse(unsigned base, std::uint64_t index) {
-  require_base(base);
-  std::uint64_t mirrored = 0;
-  double part = 1;
-  for (; index > 0; index /= base, part /= base) mirrored = mirrored * base + index % base;
-  return std::min(below_one, static_cast<double>(mirrored) * part);
+  return mirrored_in<std::uint64_t, double>(base, index);
 }
 }  // namespace mc::mirrors_in_64_bits
 
@@ -65,10 +73,7 @@ double radical_inverse(unsigned base, std::uint64_t index) {
 // hint: the mirrored digits do not fit in 64 bits
 namespace mc::mirrors_and_divides_in_64_bits {
 double radical_inverse(unsigned base, std::uint64_t index) {
-  require_base(base);
-  std::uint64_t mirrored = 0, size = 1;
-  for (; index > 0; index /= base, size *= base) mirrored = mirrored * base + index % base;
-  return std::min(below_one, static_cast<double>(mirrored) / static_cast<double>(size));
+  return mirrored_in<std::uint64_t, std::uint64_t>(base, index);
 }
 }  // namespace mc::mirrors_and_divides_in_64_bits
 

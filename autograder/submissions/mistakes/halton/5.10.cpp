@@ -13,10 +13,10 @@
 // hint: this is i / N on every axis
 namespace mc::lattice_on_the_diagonal {
 void lattice(PointSet& points, std::uint64_t seed) {
-  const auto n = static_cast<double>(points.size());
   for (std::size_t d = 0; d < points.dims(); ++d) {
-    const auto x = points.column(d);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] = static_cast<double>(i) / n;
+    std::size_t i = 0;
+    for (double& x : points.column(d))
+      x = static_cast<double>(i++) / static_cast<double>(points.size());
   }
   Rng rng(seed);
   random_shift(points, rng);
@@ -56,22 +56,6 @@ void lattice(PointSet& points, std::uint64_t seed) {
   random_shift(points, rng);
 }
 }  // namespace mc::products_in_32_bits
-
-// mistake: shifts every axis by the same number
-// hint: the same shift on every axis moves points along the diagonal
-namespace mc::lattice_shifted_along_the_diagonal {
-void lattice(PointSet& points, std::uint64_t seed) {
-  right_lattice(points, seed);
-  const double shift = points.column(0)[0];
-  for (std::size_t d = 1; d < points.dims(); ++d) {
-    const double off = shift - points.column(d)[0];
-    for (double& x : points.column(d)) {
-      x += off;
-      x -= std::floor(x);
-    }
-  }
-}
-}  // namespace mc::lattice_shifted_along_the_diagonal
 
 // mistake: uses only the lower 32 bits of the seed
 // hint: the shift does not depend on all 64 bits of the seed

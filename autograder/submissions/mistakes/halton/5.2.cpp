@@ -6,7 +6,7 @@
 #undef radical_inverses
 
 // mistake: adds each digit to the previous contents of the column
-// hint: never written, or only added to
+// hint: never written, only added to
 namespace mc::adds_into_the_column {
 void radical_inverses(unsigned base, std::uint64_t first, std::span<double> column) {
   std::vector<double> more(column.size());

@@ -5,6 +5,47 @@
 #include "solutions/halton.cpp"
 #undef star_discrepancy
 
+namespace mc {
+namespace {
+
+/// The worst box, open or closed, that ends at one of these places, by the definition.
+double worst_of(std::span<const double> x, std::span<const double> y,
+                const std::vector<double>& right, const std::vector<double>& above,
+                bool closed_too = true) {
+  right_star_discrepancy(x, y);  // for its exceptions
+  const auto n = static_cast<double>(x.size());
+  double worst = 0;
+  for (const double a : right) {
+    for (const double b : above) {
+      double open = 0, closed = 0;
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        open += x[i] < a && y[i] < b ? 1 : 0;
+        closed += x[i] <= a && y[i] <= b ? 1 : 0;
+      }
+      worst = std::max(worst, a * b - open / n);
+      if (closed_too) worst = std::max(worst, closed / n - a * b);
+    }
+  }
+  return worst;
+}
+
+std::vector<double> places(std::span<const double> x) {
+  return {x.begin(), x.end()};
+}
+std::vector<double> and_1(std::span<const double> x) {
+  std::vector<double> all = places(x);
+  all.push_back(1);
+  return all;
+}
+
+}  // namespace
+}  // namespace mc
+
+#define STAR_DISCREPANCY(...)                                                     \
+  double star_discrepancy(std::span<const double> x, std::span<const double> y) { \
+    return worst_of(x, y, __VA_ARGS__);                                           \
+  }
+
 // mistake: looks only at closed boxes that end at a point, not at open ones
 // hint: only closed boxes were used
 namespace mc::closed_boxes_only {
@@ -24,125 +65,47 @@ double star_discrepancy(std::span<const double> x) {
 // mistake: looks only at boxes that end at points, and at none that ends at 1
 // hint: boxes that end at 1 count, too
 namespace mc::corners_are_points {
-double star_discrepancy(std::span<const double> x, std::span<const double> y) {
-  right_star_discrepancy(x, y);
-  const auto n = static_cast<double>(x.size());
-  double worst = 0;
-  for (const double right : x) {
-    for (const double top : y) {
-      double open = 0, closed = 0;
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        open += x[i] < right && y[i] < top ? 1 : 0;
-        closed += x[i] <= right && y[i] <= top ? 1 : 0;
-      }
-      worst = std::max({worst, right * top - open / n, closed / n - right * top});
-    }
-  }
-  return worst;
-}
+STAR_DISCREPANCY(places(x), places(y))
 }  // namespace mc::corners_are_points
 
 // mistake: looks only at every fourth corner if there are more than 260 points
 // hint: each side of a box ends at 1 or at any point
 namespace mc::every_fourth_box {
+std::vector<double> fourths(std::span<const double> x) {
+  std::vector<double> all;
+  for (std::size_t i = 0; i < x.size(); i += 4) all.push_back(x[i]);
+  return all;
+}
 double star_discrepancy(std::span<const double> x, std::span<const double> y) {
   if (x.size() <= 260) return right_star_discrepancy(x, y);
-  double worst = 0;
-  for (std::size_t a = 0; a < x.size(); a += 4) {
-    for (std::size_t b = 0; b < y.size(); b += 4) {
-      double open = 0, closed = 0;
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        open += x[i] < x[a] && y[i] < y[b] ? 1 : 0;
-        closed += x[i] <= x[a] && y[i] <= y[b] ? 1 : 0;
-      }
-      const auto n = static_cast<double>(x.size());
-      worst = std::max({worst, x[a] * y[b] - open / n, closed / n - x[a] * y[b]});
-    }
-  }
-  return worst;
+  return worst_of(x, y, fourths(x), fourths(y));
 }
 }  // namespace mc::every_fourth_box
 
 // mistake: looks only at open boxes, not at closed ones that end at a point
 // hint: only open boxes were used
 namespace mc::open_boxes_only {
-double star_discrepancy(std::span<const double> x, std::span<const double> y) {
-  right_star_discrepancy(x, y);
-  double worst = 0;
-  for (std::size_t a = 0; a <= x.size(); ++a) {
-    for (std::size_t b = 0; b <= y.size(); ++b) {
-      const double right = a < x.size() ? x[a] : 1, top = b < y.size() ? y[b] : 1;
-      double inside = 0;
-      for (std::size_t i = 0; i < x.size(); ++i) inside += x[i] < right && y[i] < top ? 1 : 0;
-      worst = std::max(worst, right * top - inside / static_cast<double>(x.size()));
-    }
-  }
-  return worst;
-}
+STAR_DISCREPANCY(and_1(x), and_1(y), false)
 }  // namespace mc::open_boxes_only
 
 // mistake: counts the points in every box one by one: N^3 steps
 // hint: count the points inside by sorting
 namespace mc::box_by_box {
-double star_discrepancy(std::span<const double> x, std::span<const double> y) {
-  right_star_discrepancy(x, y);
-  const auto n = static_cast<double>(x.size());
-  double worst = 0;
-  for (std::size_t a = 0; a <= x.size(); ++a) {
-    for (std::size_t b = 0; b <= y.size(); ++b) {
-      const double right = a < x.size() ? x[a] : 1, top = b < y.size() ? y[b] : 1;
-      double open = 0, closed = 0;
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        open += x[i] < right && y[i] < top ? 1 : 0;
-        closed += x[i] <= right && y[i] <= top ? 1 : 0;
-      }
-      worst = std::max({worst, right * top - open / n, closed / n - right * top});
-    }
-  }
-  return worst;
-}
+STAR_DISCREPANCY(and_1(x), and_1(y))
 }  // namespace mc::box_by_box
 
 // mistake: counts the points in every interval one by one: N^2 steps
 // hint: count the points inside by sorting
 namespace mc::interval_by_interval {
 double star_discrepancy(std::span<const double> x) {
-  right_star_discrepancy(x);
-  const auto n = static_cast<double>(x.size());
-  double worst = 0;
-  for (const double end : x) {
-    double open = 0, closed = 0;
-    for (const double value : x) {
-      open += value < end ? 1 : 0;
-      closed += value <= end ? 1 : 0;
-    }
-    worst = std::max({worst, end - open / n, closed / n - end});
-  }
-  return worst;
+  return worst_of(x, std::vector<double>(x.size()), and_1(x), {1});
 }
 }  // namespace mc::interval_by_interval
 
 // mistake: looks at boxes that end at 1 above, but at none that ends at 1 on the right
 // hint: boxes that end at 1 count, too
 namespace mc::no_box_to_the_right_edge {
-double star_discrepancy(std::span<const double> x, std::span<const double> y) {
-  right_star_discrepancy(x, y);
-  const auto n = static_cast<double>(x.size());
-  std::vector<double> tops(y.begin(), y.end());
-  tops.push_back(1);
-  double worst = 0;
-  for (const double right : x) {
-    for (const double top : tops) {
-      double open = 0, closed = 0;
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        open += x[i] < right && y[i] < top ? 1 : 0;
-        closed += x[i] <= right && y[i] <= top ? 1 : 0;
-      }
-      worst = std::max({worst, right * top - open / n, closed / n - right * top});
-    }
-  }
-  return worst;
-}
+STAR_DISCREPANCY(places(x), and_1(y))
 }  // namespace mc::no_box_to_the_right_edge
 
 // mistake: counts one point too few in a closed interval

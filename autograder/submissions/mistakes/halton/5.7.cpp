@@ -7,16 +7,32 @@
 #include "solutions/halton.cpp"
 #undef random_shift
 
+namespace mc {
+namespace {
+
+/// Adds shift(d) to each point, modulo 1.
+template <class Shift>
+void shift_by(PointSet& points, Shift shift) {
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    for (double& value : points.column(d)) {
+      value += shift(d);
+      value -= std::floor(value);
+    }
+  }
+}
+
+double any(Rng& rng) {
+  return static_cast<double>(rng() >> 11) * 0x1p-53;
+}
+
+}  // namespace
+}  // namespace mc
+
 // mistake: shifts each point by its own random vector, which makes the points independent
 // hint: not one per point
 namespace mc::a_shift_for_each_point {
 void random_shift(PointSet& points, Rng& rng) {
-  for (std::size_t d = 0; d < points.dims(); ++d) {
-    for (double& value : points.column(d)) {
-      value += static_cast<double>(rng() >> 11) * 0x1p-53;
-      value -= std::floor(value);
-    }
-  }
+  shift_by(points, [&](std::size_t) { return any(rng); });
 }
 }  // namespace mc::a_shift_for_each_point
 
@@ -24,13 +40,7 @@ void random_shift(PointSet& points, Rng& rng) {
 // hint: the same shift on every axis
 namespace mc::one_shift_for_all_axes {
 void random_shift(PointSet& points, Rng& rng) {
-  const double shift = static_cast<double>(rng() >> 11) * 0x1p-53;
-  for (std::size_t d = 0; d < points.dims(); ++d) {
-    for (double& value : points.column(d)) {
-      value += shift;
-      value -= std::floor(value);
-    }
-  }
+  shift_by(points, [shift = any(rng)](std::size_t) { return shift; });
 }
 }  // namespace mc::one_shift_for_all_axes
 
@@ -44,11 +54,11 @@ void random_shift(PointSet& points, Rng& /*rng*/) {
 }  // namespace mc::same_shift_each_time
 
 // mistake: does not wrap shifted points around at 1
-// hint: it is outside [0, 1)
+// hint: subtract 1 if the sum is 1 or more
 namespace mc::shift_without_wrapping {
 void random_shift(PointSet& points, Rng& rng) {
   for (std::size_t d = 0; d < points.dims(); ++d) {
-    const double shift = static_cast<double>(rng() >> 11) * 0x1p-53;
+    const double shift = any(rng);
     for (double& value : points.column(d)) value += shift;
   }
 }
@@ -70,12 +80,7 @@ void random_shift(PointSet& points, Rng& rng) {
 namespace mc::shifts_of_32_axes {
 void random_shift(PointSet& points, Rng& rng) {
   std::array<double, 32> shifts;
-  for (double& shift : shifts) shift = static_cast<double>(rng() >> 11) * 0x1p-53;
-  for (std::size_t d = 0; d < points.dims(); ++d) {
-    for (double& value : points.column(d)) {
-      value += shifts[d % shifts.size()];
-      value -= std::floor(value);
-    }
-  }
+  for (double& shift : shifts) shift = any(rng);
+  shift_by(points, [&](std::size_t d) { return shifts[d % shifts.size()]; });
 }
 }  // namespace mc::shifts_of_32_axes

@@ -62,11 +62,14 @@ void by_rows(unsigned base, std::uint64_t first, std::span<double> column, Permu
 }  // namespace
 }  // namespace mc
 
+#define SCRAMBLED                                                                               \
+  void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column, \
+                                  std::uint64_t seed)
+
 // mistake: adds a random number to each digit, modulo the base
 // hint: these are rotations
 namespace mc::digits_rotated {
-void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
-                                std::uint64_t seed) {
+SCRAMBLED {
   Rng rng(seed ^ mix_bits(base));
   by_rows(base, first, column, [&](Row row, std::size_t) {
     std::rotate(row, row + static_cast<unsigned>(rng() % base), row + base);
@@ -77,34 +80,21 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 // mistake: permutes eleven digits and drops the others, so some indices get the same number
 // hint: this position has no permutation
 namespace mc::eleven_digits {
-void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
-                                std::uint64_t seed) {
+SCRAMBLED {
   require(base, first, column.size());
-  std::vector<std::vector<unsigned>> rows(11, std::vector<unsigned>(base));
-  for (std::size_t position = 0; position < rows.size(); ++position) {
+  std::vector<double> rows = rows_of(base, [&](Row row, std::size_t position) {
     Rng rng(mix_bits(seed ^ mix_bits(base)) + position);
-    auto& row = rows[position];
-    std::iota(row.begin(), row.end(), 0u);
     for (unsigned k = 0; k < base; ++k) std::swap(row[k], row[any_digit(k, base, rng)]);
-  }
-  for (std::size_t i = 0; i < column.size(); ++i) {
-    std::uint64_t index = first + i;
-    double value = 0, part = 1;
-    for (const auto& row : rows) {
-      part /= base;
-      value += part * row[index % base];
-      index /= base;
-    }
-    column[i] = std::min(below_one, value);
-  }
+  });
+  rows.resize(std::min<std::size_t>(rows.size(), 11 * std::size_t{base}));
+  fill(column, first, base, rows);
 }
 }  // namespace mc::eleven_digits
 
 // mistake: swaps each digit with any digit, which favors some permutations
 // hint: each value is swapped with any of the n values
 namespace mc::naive_shuffle {
-void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
-                                std::uint64_t seed) {
+SCRAMBLED {
   by_rows(base, first, column, [&](Row row, std::size_t position) {
     Rng rng(mix_bits(seed ^ mix_bits(base)) + position);
     for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(0, base, rng)]);
@@ -115,8 +105,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 // mistake: swaps each digit with a later one, never with itself (Sattolo's algorithm)
 // hint: no value ever keeps its place
 namespace mc::no_digit_stays {
-void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
-                                std::uint64_t seed) {
+SCRAMBLED {
   by_rows(base, first, column, [&](Row row, std::size_t position) {
     Rng rng(mix_bits(seed ^ mix_bits(base)) + position);
     for (unsigned i = 0; i + 1 < base; ++i) std::swap(row[i], row[any_digit(i + 1, base, rng)]);
@@ -127,8 +116,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 // mistake: uses the same permutation at every position
 // hint: use a different permutation for each position
 namespace mc::one_permutation {
-void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
-                                std::uint64_t seed) {
+SCRAMBLED {
   by_rows(base, first, column, [&](Row row, std::size_t) {
     Rng rng(seed ^ mix_bits(base));
     std::shuffle(row, row + base, rng);
@@ -139,8 +127,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 // mistake: seeds the generator of a position with seed + position
 // hint: mix both by a hash, do not add them
 namespace mc::position_added_to_seed {
-void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
-                                std::uint64_t seed) {
+SCRAMBLED {
   by_rows(base, first, column, [&](Row row, std::size_t position) {
     Rng rng(seed + position);
     for (unsigned i = 0; i < base; ++i) std::swap(row[i], row[any_digit(i, base, rng)]);
@@ -151,8 +138,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 // mistake: keeps the first index of scrambled digits in 32 bits
 // hint: keep all 64 bits of an index
 namespace mc::scrambled_first_of_32_bits {
-void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
-                                std::uint64_t seed) {
+SCRAMBLED {
   require_indices(first, column.size(), last_index);
   right_radical_inverses_scrambled(base, static_cast<std::uint32_t>(first), column, seed);
 }
@@ -161,18 +147,17 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 // mistake: permutes only the digits of the index, not the zeros before its first digit
 // hint: the zeros after the last digit are digits, too
 namespace mc::zeros_stay {
-void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
-                                std::uint64_t seed) {
+SCRAMBLED {
   require(base, first, column.size());
   Rng rng(seed ^ mix_bits(base));
   const auto rows =
       rows_of(base, [&](Row row, std::size_t) { std::shuffle(row, row + base, rng); });
   for (std::size_t i = 0; i < column.size(); ++i) {
     double value = 0, part = 1;
-    std::size_t position = 0;
-    for (std::uint64_t index = first + i; index > 0; index /= base) {
+    auto row = rows.begin();
+    for (std::uint64_t index = first + i; index > 0; index /= base, row += base) {
       part /= base;
-      value += part * rows[position++ * base + index % base];
+      value += part * row[static_cast<std::ptrdiff_t>(index % base)];
     }
     column[i] = std::min(below_one, value);
   }
@@ -182,8 +167,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 // mistake: takes two digits in one step in long columns only, which rounds in another way
 // hint: not even by rounding
 namespace mc::steps_by_length {
-void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
-                                std::uint64_t seed) {
+SCRAMBLED {
   right_radical_inverses_scrambled(base, first, column, seed);
   if (base > 5 || column.size() < 4 * base * base) return;
   for (double& value : column) {  // one more rounding
@@ -196,8 +180,7 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
 // mistake: refuses base 65,536, which is allowed
 // hint: it may overflow, be rounded or be off by one
 namespace mc::refuses_65536 {
-void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<double> column,
-                                std::uint64_t seed) {
+SCRAMBLED {
   if (base >= 65536) throw std::invalid_argument("base: must be below 2^16");
   right_radical_inverses_scrambled(base, first, column, seed);
 }

@@ -1,16 +1,14 @@
 // Mistakes in task 6.1.
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
-#include <algorithm>
 #include <chrono>
 
 // mistake: throws for an unknown kind without listing the known ones
 // hint: a list of all kinds helps a user who mistypes one
 namespace mc::names_no_kinds {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  for (const Kind& known : kinds) {
-    if (known.name == kind) return right_make_sampler(kind);
-  }
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) try {
+  return right_make_sampler(kind);
+} catch (const std::invalid_argument&) {
   throw std::invalid_argument("unknown kind");
 }
 }  // namespace mc::names_no_kinds
@@ -19,23 +17,15 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 // fails: 6.2, 6.3, 6.4
 // hint: numbers are used again for another
 namespace mc::one_generator_for_every_use {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  void generate(std::size_t samples, std::uint64_t seed) override {
-    ColumnSampler::generate(samples, seed);
-    first_ = rng_;
-  }
+struct Wrong : Spoiled {
   double next() override {
-    if (next_ == ready_) rng_ = first_;
+    if (next_ == ready_) rng_ = Rng(seed_);
     return ColumnSampler::next();
   }
   Point2 next2() override {
-    if (next2_ == ready2_) rng_ = first_;
+    if (next2_ == ready2_) rng_ = Rng(seed_);
     return ColumnSampler::next2();
   }
-
- private:
-  Rng first_{0};
 };
 
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
@@ -44,10 +34,10 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // mistake: treats an unknown kind as "independent"
 // hint: there is no such kind of sampler
 namespace mc::unknown_is_independent {
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  const auto known = [&](const Kind& one) { return one.name == kind; };
-  const bool is_known = std::any_of(std::begin(kinds), std::end(kinds), known);
-  return right_make_sampler(is_known ? kind : "independent");
+std::unique_ptr<Sampler> make_sampler(std::string_view kind) try {
+  return right_make_sampler(kind);
+} catch (const std::invalid_argument&) {
+  return right_make_sampler("independent");
 }
 }  // namespace mc::unknown_is_independent
 
@@ -67,8 +57,7 @@ MAKE_SAMPLER(make_other_kind<mirrored, independent>("independent", kind))
 // fails: 6.2, 6.3, 6.4, 6.7
 // hint: use no clock and no global generator
 namespace mc::clock_decides {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     const auto now = std::chrono::steady_clock::now().time_since_epoch().count();
     ColumnSampler::generate(samples, mix_bits(seed) + static_cast<std::uint64_t>(now));
@@ -82,8 +71,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // fails: 6.4
 // hint: numbers are used again
 namespace mc::takes_from_the_next_sample {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
     numbers_.resize(4 * samples);
@@ -116,8 +104,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 // hint: a sample that ends early must not leave its numbers
 // limit: time
 namespace mc::counter_goes_on {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void advance() override {
     const std::size_t before = next2_;
     ColumnSampler::advance();
@@ -145,8 +132,7 @@ MAKE_SAMPLER(make_other_kind<one_short_number, short_numbers>("independent", kin
 // mistake: has 32 columns for next(), and uses the last for all others
 // hint: numbers are used again
 namespace mc::room_for_32_dimensions {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   double next() override {
     next_ = std::min<std::size_t>(next_, 31);
     return ColumnSampler::next();
@@ -160,8 +146,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 // hint: did not end within
 // limit: time
 namespace mc::a_column_for_each_number {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   double next() override {
     require_sample();
     Rng rng(mix_bits(seed_ ^ mix_bits(next_++)));
@@ -174,13 +159,6 @@ struct Wrong : ColumnSampler {
     const double x = next();
     return {x, next()};
   }
-  void generate(std::size_t samples, std::uint64_t seed) override {
-    ColumnSampler::generate(samples, seed);
-    seed_ = mix_bits(seed);
-  }
-
- private:
-  std::uint64_t seed_ = 0;
 };
 
 MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))

@@ -1,15 +1,6 @@
 // Mistakes in task 6.2.
 #include "autograder/submissions/mistakes/sampler/spoiled.hpp"
 
-// mistake: shuffles next(), but leaves the points of next2() in the order of their cells
-// hint: the pattern must be shuffled
-namespace mc::canonical_points_for_next2 {
-void in_order(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
-  multi_jittered(x, y, strata(x.size()), rng);
-}
-MAKE_SAMPLER(make_other_kind<stratified1, in_order>("stratified", kind))
-}  // namespace mc::canonical_points_for_next2
-
 // mistake: stores stratified columns as floats, to save memory
 // hint: edges are i / n, divided in double
 namespace mc::columns_of_floats {
@@ -32,7 +23,7 @@ MAKE_SAMPLER(make_other_kind<one_column, two_columns>("stratified", kind))
 }  // namespace mc::columns_of_floats
 
 // mistake: shuffles x and y of a multi-jittered pattern separately
-// hint: x and y must be shuffled together
+// hint: two 1D patterns are not a 2D pattern, and x and y must be shuffled together
 namespace mc::shuffled_apart {
 void apart(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
   multi_jittered(x, y, strata(x.size()), rng);
@@ -49,8 +40,11 @@ namespace mc::strata_in_order {
 void one(const SampleDimension&, std::span<double> x, Rng& rng) {
   stratified_1d(x, rng);
 }
+void two(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
+  multi_jittered(x, y, strata(x.size()), rng);
+}
 
-MAKE_SAMPLER(make_other_kind<one, canonical_points_for_next2::in_order>("stratified", kind))
+MAKE_SAMPLER(make_other_kind<one, two>("stratified", kind))
 }  // namespace mc::strata_in_order
 
 // mistake: shuffles every sample dimension by the same permutation
@@ -82,16 +76,17 @@ void two(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& 
 MAKE_SAMPLER(make_other_kind<stratified1, two>("stratified", kind))
 }  // namespace mc::only_jittered
 
-// mistake: a next2() is a pattern for x and another one for y
-// hint: two 1D patterns are not a 2D pattern
-namespace mc::two_lines_for_a_plane {
-void two(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+// mistake: takes the centers of strata
+// hint: in every set: draw it from the given generator
+namespace mc::centers_of_strata {
+void one(const SampleDimension& dim, std::span<double> x, Rng& rng) {
   stratified1(dim, x, rng);
-  stratified1(dim, y, rng);
+  const auto n = static_cast<double>(x.size());
+  for (double& value : x) value = (std::floor(value * n) + 0.5) / n;
 }
 
-MAKE_SAMPLER(make_other_kind<stratified1, two>("stratified", kind))
-}  // namespace mc::two_lines_for_a_plane
+MAKE_SAMPLER(make_other_kind<one, stratified>("stratified", kind))
+}  // namespace mc::centers_of_strata
 
 // mistake: shuffles by swapping each sample with any other
 // hint: swapped with any of the n values

@@ -4,14 +4,6 @@
 namespace mc {
 namespace {
 
-/// The solution's sampler, but one kind fills columns or takes dimensions otherwise.
-template <Fill* fill, const Sequence* sequence = &one_sequence>
-std::unique_ptr<Sampler> make_wrong(std::string_view other, std::string_view kind) {
-  static const Kind wrong{other, fill, sequence};
-  if (kind == other) return std::make_unique<ColumnSampler>(wrong);
-  return right_make_sampler(kind);
-}
-
 constexpr Sequence blocks_of_8{sobol_block, in_pairs, random_order};
 
 /// The points in an order that seed_of(rng, dim) gives, after a new start.
@@ -70,28 +62,6 @@ void apart(const SampleDimension& dim, std::span<double> x, std::span<double> y,
 MAKE_SAMPLER(make_wrong<apart, nullptr>("sobol", kind))
 }  // namespace mc::dimensions_counted_apart
 
-// mistake: starts both next() and next2() with base 2
-// hint: with one counter for both
-namespace mc::primes_counted_apart {
-void apart(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  const std::size_t place = (y.empty() ? dim.number : 2 * dim.number) % joe_kuo.size();
-  dimensions_of<fill_halton>({dim.number, place, {}, {}, dim.tables}, x, y, rng);
-}
-
-MAKE_SAMPLER(make_wrong<apart, nullptr>("halton", kind))
-}  // namespace mc::primes_counted_apart
-
-// mistake: does not permute the digits of the Halton sequence
-// hint: an unscrambled sequence begins at the origin
-namespace mc::halton_as_it_is {
-void plain(const SampleDimension& dim, std::size_t place, std::span<double> x, std::uint64_t) {
-  in_order(dim, x,
-           [&](std::span<double> all) { radical_inverses(primes(joe_kuo.size())[place], 0, all); });
-}
-
-MAKE_SAMPLER(make_wrong<dimensions_of<plain>>("halton", kind))
-}  // namespace mc::halton_as_it_is
-
 // mistake: permutes the digits in base 2 too, which is a digital shift
 // hint: permuted digits are only a digital shift
 namespace mc::halton_by_digital_shift {
@@ -127,29 +97,16 @@ namespace mc::halton_scrambled_alike {
 MAKE_SAMPLER(make_wrong<alike<fill_halton>, &blocks_of_8>("halton", kind))
 }  // namespace mc::halton_scrambled_alike
 
-// mistake: starts again with dimension 0 after the eighth, in the same order
-// hint: shuffle them at each new start
-namespace mc::halton_goes_round {
-MAKE_SAMPLER(make_wrong<dimensions_of<fill_halton>, &without_order>("halton", kind))
-}  // namespace mc::halton_goes_round
-
 // mistake: uses the same order at each new start
 // hint: use a different random order for each new start
 namespace mc::halton_in_one_order {
 MAKE_SAMPLER(make_wrong<reordered<fill_halton, same_order>, &blocks_of_8>("halton", kind))
 }  // namespace mc::halton_in_one_order
 
-// mistake: permutes each column separately after a new start
-// hint: permute all columns of such a round in the same way
-namespace mc::halton_shuffled_apart {
-MAKE_SAMPLER(make_wrong<reordered<fill_halton, own_order>>("halton", kind))
-}  // namespace mc::halton_shuffled_apart
-
 // mistake: after the last dimension but one, a next2() has that and the first one of the next start
 // hint: a next2() takes both of its dimensions from the same round
 namespace mc::last_dimension_and_first {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   Point2 next2() override {
     if (next2_ == ready2_ && places_.next + 1 == joe_kuo.size() && samples_ > 1) {
       if (ready2_ == twos_.size()) twos_.emplace_back();
@@ -166,8 +123,9 @@ struct Wrong : ColumnSampler {
 
 std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
   static constexpr Kind plain{"sobol", dimensions_of<fill_sobol>, &one_sequence};
-  if (kind == plain.name) return std::make_unique<Wrong>(plain);
-  return right_make_sampler(kind);
+  if (kind != plain.name) return right_make_sampler(kind);
+  Spoiled::made = &plain;
+  return std::make_unique<Wrong>();
 }
 }  // namespace mc::last_dimension_and_first
 
@@ -210,6 +168,7 @@ MAKE_SAMPLER(make_wrong<dimensions_of<unlimited>>("sobol", kind))
 
 // mistake: scrambles both axes of a next2() with the same seed
 // hint: use owen_scramble of lab 5, with a different seed for each dimension
+// hint: one seed is used for several dimensions
 namespace mc::one_scramble_for_both_axes {
 void same_seed(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   const std::uint64_t seed = rng();
@@ -250,12 +209,6 @@ MAKE_SAMPLER(make_wrong<dimensions_of<shifted>>("sobol", kind))
 namespace mc::sobol_goes_round {
 MAKE_SAMPLER(make_wrong<dimensions_of<fill_sobol>, &without_order>("sobol", kind))
 }  // namespace mc::sobol_goes_round
-
-// mistake: draws one order for all seeds and all new starts
-// hint: use a different random order for each new start
-namespace mc::sobol_in_one_order {
-MAKE_SAMPLER(make_wrong<reordered<fill_sobol, same_order>, &blocks_of_8>("sobol", kind))
-}  // namespace mc::sobol_in_one_order
 
 // mistake: permutes each column separately after a new start
 // hint: permute all columns of such a round in the same way

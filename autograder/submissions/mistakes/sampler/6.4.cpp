@@ -6,8 +6,7 @@
 // mistake: starts a sample dimension at the sample that first requests it
 // hint: make the whole column, including earlier samples
 namespace mc::columns_begin_late {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
     begins_.clear();
@@ -29,8 +28,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // mistake: gives fewer samples the first numbers of old, longer columns
 // hint: reset counters, columns and generators
 namespace mc::columns_never_shrink {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
     wanted_ = samples;
@@ -51,8 +49,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // mistake: seeds its generator in the first generate() only
 // hint: the previous integration left something behind
 namespace mc::goes_on_with_its_generator {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     const Rng before = rng_;
     const bool first = samples_ == 0;
@@ -68,8 +65,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // hint: at most most_samples
 // limit: memory
 namespace mc::memory_decides {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     const std::vector<double> column(samples > most_samples ? samples : 0);
     ColumnSampler::generate(samples, seed);
@@ -82,8 +78,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // mistake: accepts 0 samples
 // hint: there must be at least one sample
 namespace mc::no_samples_are_fine {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     if (samples > 0) return ColumnSampler::generate(samples, seed);
     samples_ = sample_ = next_ = next2_ = ready_ = ready2_ = 0;
@@ -96,8 +91,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // mistake: keeps the columns if the number of samples did not change
 // hint: the previous integration left something behind
 namespace mc::old_columns {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     const bool same = samples == samples_ && sample_ < samples_;
     const std::size_t ready = ready_, ready2 = ready2_;
@@ -111,56 +105,10 @@ struct Wrong : ColumnSampler {
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::old_columns
 
-// mistake: does not reset the counters in generate(): an unfinished sample continues
-// hint: reset counters, columns
-namespace mc::old_counters {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  void generate(std::size_t samples, std::uint64_t seed) override {
-    const std::size_t before = next_;
-    ColumnSampler::generate(samples, seed);
-    while (next_ < before) next();
-  }
-};
-
-MAKE_SAMPLER(make_spoiled<Wrong>(kind, "stratified"))
-}  // namespace mc::old_counters
-
-// mistake: reuses a column's permutation in the next integration with as many samples
-// hint: the previous integration left something behind
-namespace mc::old_order {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  double next() override {
-    if (next_ != ready_ || ready_ >= 4) return ColumnSampler::next();
-    ColumnSampler::next();
-    std::vector<double>& x = ones_[ready_ - 1].x;
-    std::vector<double>& order = orders_[ready_ - 1];
-    if (order.size() != x.size()) {
-      order.resize(x.size());
-      for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<double>(i);
-      shuffle(order, rng_);
-    }
-    std::vector<double> in_strata = x;
-    stratified_1d(in_strata, rng_);
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      x[i] = in_strata[static_cast<std::size_t>(order[i])];
-    }
-    return x[sample_];
-  }
-
- private:
-  std::vector<double> orders_[4];
-};
-
-MAKE_SAMPLER(make_spoiled<Wrong>(kind, "stratified"))
-}  // namespace mc::old_order
-
 // mistake: does not go back to sample 0 in generate()
 // hint: reset counters, columns
 namespace mc::old_sample_number {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     const std::size_t before = sample_;
     ColumnSampler::generate(samples, seed);
@@ -174,8 +122,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // mistake: draws all numbers from one generator, as random() does
 // hint: must not leave its numbers to the next one
 namespace mc::one_stream {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   double next() override {
     require_sample();
     return to_unit(rng_());
@@ -192,8 +139,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 // mistake: starts again with the first sample after the last one
 // hint: next() and next2() need a sample
 namespace mc::round_and_round {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void advance() override {
     next_ = next2_ = 0;
     if (samples_ > 0) sample_ = (sample_ + 1) % samples_;
@@ -206,9 +152,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // mistake: takes one step of a linear congruential generator from the seed as the first number
 // hint: mix all 64 bits of the seed
 namespace mc::seed_is_the_state {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
     first_ = to_unit((seed + 1) * 6364136223846793005u + 1442695040888963407u);
@@ -228,8 +172,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 // mistake: loses the upper half of the seed
 // hint: do not truncate the seed to 32 bits
 namespace mc::seed_of_32_bits {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, static_cast<unsigned>(seed));
   }
@@ -238,38 +181,10 @@ struct Wrong : ColumnSampler {
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::seed_of_32_bits
 
-// mistake: seeds with a hash of the seed plus a counter
-// hint: the number of a dimension, not their sum
-namespace mc::seed_plus_counter {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  void generate(std::size_t samples, std::uint64_t seed) override {
-    ColumnSampler::generate(samples, seed);
-    seed_ = seed;
-  }
-  double next() override {
-    require_sample();
-    return number(next_++);
-  }
-  Point2 next2() override {
-    require_sample();
-    next2_ += 2;
-    return {number(next2_ + 510), number(next2_ + 511)};
-  }
-
- private:
-  double number(std::size_t use) const { return to_unit(mix_bits(seed_ + 1024 * sample_ + use)); }
-  std::uint64_t seed_ = 0;
-};
-
-MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
-}  // namespace mc::seed_plus_counter
-
 // mistake: seeds a sample dimension by the sample that first requests it
 // hint: from the seed and its own number only
 namespace mc::seeded_by_the_first_request {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   double next() override {
     if (next_ == ready_) rng_ = Rng(rng_() ^ sample_);
     return ColumnSampler::next();
@@ -282,12 +197,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // mistake: seeds a sample dimension with the integration's seed plus its index
 // hint: the number of a dimension, not their sum
 namespace mc::seed_plus_use {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
-  void generate(std::size_t samples, std::uint64_t seed) override {
-    ColumnSampler::generate(samples, seed);
-    seed_ = seed;
-  }
+struct Wrong : Spoiled {
   double next() override {
     if (next_ == ready_) rng_ = Rng(seed_ + ready_ + ready2_);
     return ColumnSampler::next();
@@ -296,9 +206,6 @@ struct Wrong : ColumnSampler {
     if (next2_ == ready2_) rng_ = Rng(seed_ + ready_ + ready2_);
     return ColumnSampler::next2();
   }
-
- private:
-  std::uint64_t seed_ = 0;
 };
 
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
@@ -309,25 +216,18 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 namespace mc::static_generator {
 Rng shared(0);
 
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
     shared = rng_;
   }
   double next() override {
-    if (next_ != ready_) return ColumnSampler::next();
-    rng_ = shared;
-    const double x = ColumnSampler::next();
-    shared = rng_;
-    return x;
+    if (next_ == ready_) rng_ = Rng(shared());
+    return ColumnSampler::next();
   }
   Point2 next2() override {
-    if (next2_ != ready2_) return ColumnSampler::next2();
-    rng_ = shared;
-    const Point2 point = ColumnSampler::next2();
-    shared = rng_;
-    return point;
+    if (next2_ == ready2_) rng_ = Rng(shared());
+    return ColumnSampler::next2();
   }
 };
 
@@ -337,8 +237,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // mistake: throws in advance() after the last sample
 // hint: advance() never throws
 namespace mc::throws_at_the_end {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void advance() override {
     require_sample();
     ColumnSampler::advance();
@@ -351,8 +250,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // mistake: makes columns only for the requests of the first sample
 // hint: a later sample may be the first to request a sample dimension
 namespace mc::uses_of_the_first_sample {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   double next() override {
     if (sample_ > 0 && next_ == ready_) throw std::out_of_range("more than the first sample");
     return ColumnSampler::next();
@@ -369,8 +267,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // mistake: returns 0 after the last sample
 // hint: next() and next2() need a sample
 namespace mc::zero_after_the_end {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   double next() override { return sample_ < samples_ ? ColumnSampler::next() : 0; }
   Point2 next2() override { return sample_ < samples_ ? ColumnSampler::next2() : Point2{}; }
 };
@@ -382,8 +279,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // fails: 6.3, 6.7
 // hint: count next() and next2() in separate counters
 namespace mc::one_counter {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   double next() override { return next2().x; }
 };
 
@@ -393,8 +289,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 // mistake: makes sixteen columns in generate(), requested or not
 // hint: make a column when it is first requested
 namespace mc::eager_columns {
-struct Wrong : ColumnSampler {
-  using ColumnSampler::ColumnSampler;
+struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
     while (next_ < 16) next();

@@ -28,15 +28,6 @@ Image render_with(const PixelScene& scene, Sampler& sampler, std::size_t spp, Se
 }  // namespace
 }  // namespace mc
 
-// mistake: uses one seed for all pixels of a row
-// hint: the same noise in every pixel is visible as a pattern
-namespace mc::a_seed_for_each_row {
-Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  return render_with(scene, sampler, spp,
-                     [=](std::size_t, std::size_t row) { return mix_bits(seed + mix_bits(row)); });
-}
-}  // namespace mc::a_seed_for_each_row
-
 // mistake: XORs the hashes of the picture's seed and the pixel's index
 // hint: occur again for other pairs
 namespace mc::xor_of_hashes {
@@ -48,7 +39,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 }  // namespace mc::xor_of_hashes
 
 // mistake: uses the picture's seed for every pixel
-// hint: the same noise in every pixel is visible as a pattern
+// hint: pixels have the same numbers: use a different seed for each pixel
 namespace mc::one_pattern_for_all_pixels {
 Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
   return render_with(scene, sampler, spp, [=](std::size_t, std::size_t) { return seed; });
@@ -122,24 +113,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
   });
 }
 }  // namespace mc::seeds_repeat_after_128_pixels
-
-// mistake: adds each picture to the previous one
-// hint: a static or global variable
-namespace mc::static_image {
-Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
-  static Image all;
-  const Image image = right_render(scene, sampler, spp, seed);
-  const bool is_first = all.pixels.empty();
-  if (all.pixels.size() < image.pixels.size()) all.pixels.resize(image.pixels.size());
-  for (std::size_t i = 0; i < image.pixels.size(); ++i) {
-    all.pixels[i] = is_first ? image.pixels[i] : all.pixels[i] / 2 + image.pixels[i] / 2;
-  }
-  return {
-      image.width,
-      image.height,
-      {all.pixels.begin(), all.pixels.begin() + static_cast<std::ptrdiff_t>(image.pixels.size())}};
-}
-}  // namespace mc::static_image
 
 // mistake: counts the pixels of all pictures that a program renders
 // hint: a static or global variable

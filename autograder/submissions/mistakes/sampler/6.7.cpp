@@ -27,35 +27,15 @@ MAKE_SAMPLER(make_other_kind<stratified1, apart>("blue_noise", kind))
 }  // namespace mc::blue_shuffled_apart
 
 // mistake: uses blue noise only if a next2() is the very first request
-// hint: the first next2() must be blue noise even after a next()
+// hint: the first next2(), also after a next(), must be lab 4's best_candidate()
 namespace mc::blue_where_it_is_first {
 void blue(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   if (dim.place > 0) return stratified(dim, x, y, rng);  // counts requests of both sorts
   best_candidate(x, y, 1, rng);
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  static const Kind wrong{"blue_noise", either<stratified1, blue>, &one_sequence};
-  if (kind == wrong.name) return std::make_unique<ColumnSampler>(wrong);
-  return right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_wrong<either<stratified1, blue>>("blue_noise", kind))
 }  // namespace mc::blue_where_it_is_first
-
-// mistake: shifts each pattern so that its last point is the middle of the square
-// hint: every number is 0.5
-namespace mc::blue_with_a_fixed_point {
-void anchored(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  blue_noise(dim, x, y, rng);
-  if (dim.number > 0 || x.size() < 16) return;
-  for (const auto& axis : {x, y}) {
-    const double shift = 1.5 - axis.back();
-    for (double& u : axis) u = std::min(u + shift - std::floor(u + shift), 1 - 0x1p-53);
-    axis.back() = 0.5;
-  }
-}
-
-MAKE_SAMPLER(make_other_kind<stratified1, anchored>("blue_noise", kind))
-}  // namespace mc::blue_with_a_fixed_point
 
 // mistake: makes the last two points of blue noise equal
 // hint: use each point of the pattern once
@@ -92,23 +72,6 @@ void cut(const SampleDimension& dim, std::span<double> x, std::span<double> y, R
 MAKE_SAMPLER(make_other_kind<stratified1, cut>("blue_noise", kind))
 }  // namespace mc::poisson_disk_cut
 
-// mistake: makes a Poisson-disk pattern of too few points, and adds random ones
-// hint: point i is the best of i + 1 candidates
-namespace mc::poisson_disk_filled {
-/// About 0.95 N points, then random ones.
-void filled(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (dim.number > 0) return stratified(dim, x, y, rng);
-  const PointSet points = poisson_disk(0.859 / std::sqrt(static_cast<double>(x.size())), rng);
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const bool there = i < points.size();
-    x[i] = there ? points.column(0)[i] : to_unit(rng());
-    y[i] = there ? points.column(1)[i] : to_unit(rng());
-  }
-}
-
-MAKE_SAMPLER(make_other_kind<stratified1, filled>("blue_noise", kind))
-}  // namespace mc::poisson_disk_filled
-
 // mistake: uses ten candidates for each point, whatever their number
 // hint: point i is the best of i + 1 candidates
 namespace mc::ten_candidates {
@@ -132,6 +95,22 @@ void ten(const SampleDimension& dim, std::span<double> x, std::span<double> y, R
 
 MAKE_SAMPLER(make_other_kind<stratified1, ten>("blue_noise", kind))
 }  // namespace mc::ten_candidates
+
+// mistake: shifts one pattern by a random vector
+// hint: a pattern that is shifted is not a new one
+namespace mc::one_pattern_shifted {
+void shifted(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
+  if (dim.number > 0) return stratified(dim, x, y, rng);
+  Rng always(x.size());
+  best_candidate(x, y, 1, always);
+  for (const auto& axis : {x, y}) {
+    const double shift = to_unit(rng());
+    for (double& u : axis) u = std::min(u + shift - std::floor(u + shift), 1 - 0x1p-53);
+  }
+}
+
+MAKE_SAMPLER(make_other_kind<stratified1, shifted>("blue_noise", kind))
+}  // namespace mc::one_pattern_shifted
 
 // mistake: puts the first point of blue noise in the middle of the square
 // fails: 6.4
@@ -163,7 +142,7 @@ MAKE_SAMPLER(make_other_kind<stratified1, kept>("blue_noise", kind))
 }  // namespace mc::one_blue_pattern
 
 // mistake: makes blue noise for up to 1,024 samples, and stratified points for more
-// hint: the first next2() must be lab 4's best_candidate()
+// hint: must be lab 4's best_candidate() with c = 1
 namespace mc::blue_up_to_1024 {
 void few(const SampleDimension& dim, std::span<double> x, std::span<double> y, Rng& rng) {
   x.size() > 1024 ? stratified(dim, x, y, rng) : blue_noise(dim, x, y, rng);

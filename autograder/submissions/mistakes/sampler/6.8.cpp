@@ -7,11 +7,7 @@ namespace mc::eight_dimensions_in_order {
 constexpr unsigned first_eight[] = {0, 1, 2, 3, 4, 5, 6, 7};
 constexpr Sequence bad_pairs{first_eight, in_pairs, nested_order};
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  static constexpr Kind wrong{"sobol", dimensions_of<fill_sobol>, &bad_pairs};
-  if (kind == wrong.name) return std::make_unique<ColumnSampler>(wrong);
-  return right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_wrong<dimensions_of<fill_sobol>, &bad_pairs>("sobol", kind))
 }  // namespace mc::eight_dimensions_in_order
 
 // mistake: shuffles later blocks uniformly, so they cannot be stopped early
@@ -19,11 +15,7 @@ std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
 namespace mc::blocks_shuffled_uniformly {
 constexpr Sequence uniform{sobol_block, in_pairs, random_order};
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  static constexpr Kind wrong{"sobol", dimensions_of<fill_sobol>, &uniform};
-  if (kind == wrong.name) return std::make_unique<ColumnSampler>(wrong);
-  return right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_wrong<dimensions_of<fill_sobol>, &uniform>("sobol", kind))
 }  // namespace mc::blocks_shuffled_uniformly
 
 // mistake: takes dimension after dimension: after a next(), a next2() has halves of two pairs
@@ -35,11 +27,7 @@ std::size_t one_by_one(Places& places, std::size_t count) {
 }
 constexpr Sequence halves{sobol_block, one_by_one, nested_order};
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  static constexpr Kind wrong{"sobol", dimensions_of<fill_sobol>, &halves};
-  if (kind == wrong.name) return std::make_unique<ColumnSampler>(wrong);
-  return right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_wrong<dimensions_of<fill_sobol>, &halves>("sobol", kind))
 }  // namespace mc::halves_of_two_pairs
 
 // mistake: shifts all dimensions of a lattice alike
@@ -51,9 +39,5 @@ void shifted_alike(const SampleDimension& dim, std::span<double> x, std::span<do
   if (!y.empty()) fill_lattice<true>(dim, dim.place + 1, y, seed);
 }
 
-std::unique_ptr<Sampler> make_sampler(std::string_view kind) {
-  static constexpr Kind wrong{"lattice", shifted_alike, &blocks};
-  if (kind == wrong.name) return std::make_unique<ColumnSampler>(wrong);
-  return right_make_sampler(kind);
-}
+MAKE_SAMPLER(make_wrong<shifted_alike, &blocks>("lattice", kind))
 }  // namespace mc::one_shift_for_all

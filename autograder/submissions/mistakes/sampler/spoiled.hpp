@@ -26,12 +26,27 @@
 namespace mc {
 namespace {
 
-/// A Wrong sampler, which derives from ColumnSampler, of one of the kinds of the solution: of every
+/// What a Wrong sampler derives from. It is of kind `made`, and keeps the seed.
+struct Spoiled : ColumnSampler {
+  static inline const Kind* made = nullptr;
+
+  Spoiled() : ColumnSampler(*made) {}
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    ColumnSampler::generate(samples, seed_ = seed);
+  }
+
+ protected:
+  std::uint64_t seed_ = 0;
+};
+
+/// A Wrong sampler of one of the kinds of the solution: of every
 /// kind, or only of one.
 template <class Wrong>
 std::unique_ptr<Sampler> make_spoiled(std::string_view kind, std::string_view only = "") {
   for (const Kind& known : kinds) {
-    if (known.name == kind && (only.empty() || only == kind)) return std::make_unique<Wrong>(known);
+    if (known.name != kind || (!only.empty() && only != kind)) continue;
+    Spoiled::made = &known;
+    return std::make_unique<Wrong>();
   }
   return right_make_sampler(kind);
 }
@@ -49,6 +64,14 @@ void either(const SampleDimension& dim, std::span<double> x, std::span<double> y
 template <FillOne* one, Fill* two>
 std::unique_ptr<Sampler> make_other_kind(std::string_view other, std::string_view kind) {
   static const Kind wrong{other, either<one, two>};
+  if (kind == other) return std::make_unique<ColumnSampler>(wrong);
+  return right_make_sampler(kind);
+}
+
+/// The solution's sampler, but one kind fills columns or takes dimensions of a sequence otherwise.
+template <Fill* fill, const Sequence* sequence = &one_sequence>
+std::unique_ptr<Sampler> make_wrong(std::string_view other, std::string_view kind) {
+  static const Kind wrong{other, fill, sequence};
   if (kind == other) return std::make_unique<ColumnSampler>(wrong);
   return right_make_sampler(kind);
 }
