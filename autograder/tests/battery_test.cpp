@@ -93,7 +93,8 @@ TEST_CASE("the battery names what is visibly wrong, and detects what is not visi
     const auto failure = dependence_in(numbers, claim);
     CAPTURE(&fault - faults, fault.found);
     REQUIRE(failure);
-    CHECK((failure->measured + " -> " + failure->likely).find(fault.found) != std::string::npos);
+    CHECK((failure->measured + " -> " + failure->likely.text).find(fault.found) !=
+          std::string::npos);
   }
 }
 

@@ -83,10 +83,10 @@ TEST_CASE("a comparison says what is true of the wrong values") {
     return got;
   };
   const auto capped = failure_of(exact, changed([](double& x, auto) { x = std::min(x, 40.25); }));
-  CHECK(capped.likely == "no value is above 40.25: something limits the values");
+  CHECK(capped.likely.text == "no value is above 40.25: something limits the values");
   CHECK(contains(capped.measured, "the last 10 of 50 values are wrong, from value 40 on"));
   const auto raised = failure_of(exact, changed([](double& x, auto) { x = std::max(x, 9.75); }));
-  CHECK(raised.likely == "no value is below 9.75: something limits the values");
+  CHECK(raised.likely.text == "no value is below 9.75: something limits the values");
 
   // One wrong value is not a limit, and neither are values that jump over it.
   CHECK(failure_of(exact, changed([](double& x, auto i) { x = i == 7 ? 3 : x; })).rule ==

@@ -182,7 +182,7 @@ bool explains(const Nearness& all, const Count& count) {
 
 /// The only well-known mistake that explains points 1, 2, … of these sets, if there is one. Needs
 /// thousands of sets, because some mistakes are similar.
-std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
+Likely candidates_hint(const SampleSets& sets, double c, Rng& rng) {
   const auto measured = [&](Metric metric) {
     return nearness(sets, later_points(sets.n), 200, rng, metric);
   };
@@ -197,30 +197,31 @@ std::string candidates_hint(const SampleSets& sets, double c, Rng& rng) {
   struct Mistake {
     Nearness seen;
     Count count;
-    const char* hint;
+    Likely hint;
   };
   const Mistake mistakes[] = {
       {all, [=](double i) { return std::ceil(c * i); },
-       is_whole ? "there are only ceil(c i) candidates: one is missing"
-                : "there are floor(c i) + 1 candidates: round c i up, with c a double"},
-      {all, [=](double i) { return std::ceil(c * i) + 2; }, "there is one candidate too many"},
+       is_whole ? "there are only ceil(c i) candidates: one is missing"_likely
+                : "there are floor(c i) + 1 candidates: round c i up, with c a double"_likely},
+      {all, [=](double i) { return std::ceil(c * i) + 2; },
+       "there is one candidate too many"_likely},
       // Just above 1 the first mistake gives the same.
       {all, [=](double i) { return c < 1.5 ? 0 : i + 1; },
-       "there are i + 1 candidates: c is unused, or rounded"},
+       "there are i + 1 candidates: c is unused, or rounded"_likely},
       {all, [=](double) { return constant; },
        constant == 1 ? "as irregular as uniform points: keep the farthest of several candidates, "
-                       "which are new for each point"
-                     : "the number of candidates hardly grows: point i needs ceil(c i) + 1"},
+                       "which are new for each point"_likely
+                     : "the number of candidates hardly grows: point i needs ceil(c i) + 1"_likely},
       {opposite, promised(c),
-       "this keeps the candidate that is nearest to earlier points: keep the farthest"},
+       "this keeps the candidate that is nearest to earlier points: keep the farthest"_likely},
       {measured({.on_torus = false}), promised(c),
-       "distances are measured within the square: measure them on the torus"},
+       "distances are measured within the square: measure them on the torus"_likely},
       {measured({.to_last_only = true}), promised(c),
-       "the candidates are far from the last point: they must be far from all earlier points"}};
-  std::string found;
+       "the candidates are far from the last point: they must be far from all earlier points"_likely}};
+  Likely found;
   for (const Mistake& mistake : mistakes) {
     if (!explains(mistake.seen, mistake.count)) continue;
-    if (!found.empty()) return {};
+    if (found != Likely{}) return {};
     found = mistake.hint;
   }
   return found;
@@ -234,7 +235,7 @@ void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng, std::
   Randomness claim = best_of_candidates(
       "draw ceil(c i) + 1 new candidates, of two random numbers each, for point i, and keep the "
       "one that is farthest from its nearest earlier point, also where cells of a grid find it");
-  claim.explain = [&]() -> std::string {
+  claim.explain = [&]() -> Likely {
     constexpr std::size_t more = 4000;
     if (n != 5) return {};
     const auto again = MEASURE(best_candidate, n, c, more, fresh_seed(rng));

@@ -47,7 +47,9 @@ void require_fresh(const SampleSets& sets) {
   fail(Failure{
       fmt::format("{}: point {} of set {} and point {} of set {} have the same neighborhood",
                   sets.call, twice->point, twice->set, (twice + 1)->point, (twice + 1)->set),
-      "different neighborhoods", "every point of every set is random",
+      "different neighborhoods",
+      "every point of every set is random",
+      {},
       "draw every point from the generator that is passed in: a copy of it, or a generator with "
       "its own seed, starts again each time; copies of a pattern, even mirrored, are not new"});
 }
@@ -63,7 +65,9 @@ void require_distinct(const SampleSets& sets) {
       const auto [other_set, other_i] = at->second;
       fail(Failure{fmt::format("{}: point {} of set {} and point {} of set {} both lie at ({}, {})",
                                sets.call, other_i, other_set, i, set, x, y),
-                   "points that are all different", "random points are never equal",
+                   "points that are all different",
+                   "random points are never equal",
+                   {},
                    i == 0 && other_i == 0
                        ? "the first point of a set must be random, too"
                        : "draw every point anew, and keep it once; use 53 random bits"});
@@ -78,10 +82,10 @@ SampleSets require_random(SampleSets sets) {
 }
 
 /// The hint if two points are closer than the radius.
-std::string too_close_hint(View x, View y, double radius, double least) {
+Likely too_close_hint(View x, View y, double radius, double least) {
   const auto n = static_cast<double>(x.size());
   if (least >= radius / 2 - 4 * eps && least < 0.55 * radius && n * radius * radius > 1.155) {
-    return "half the radius is kept: it is the distance of points, not a disk's radius";
+    return "half the radius is kept: it is the distance of points, not a disk's radius"_likely;
   }
   // Of pairs that are close by chance, at most a fraction of 4/pi radius lies across an edge: if
   // all of them do, it is by chance once in 10,000 patterns.
@@ -96,7 +100,7 @@ std::string too_close_hint(View x, View y, double radius, double least) {
   }
   const double by_chance = 4 / std::numbers::pi * radius;
   if (across == pairs && static_cast<double>(pairs) * std::log(by_chance) < std::log(1e-4)) {
-    return "they are close only across an edge: measure distances on the torus";
+    return "they are close only across an edge: measure distances on the torus"_likely;
   }
   return {};
 }
@@ -113,7 +117,7 @@ void require_apart(const SampleSets& sets, double radius) {
                 fmt::format("{} or more", radius),
                 "no two points are closer than the radius, except for rounding (4 eps)",
                 "compare each new point with all points near it; a cell must not have room for two",
-                holds ? "" : too_close_hint(x, y, radius, least));
+                holds ? ""_likely : too_close_hint(x, y, radius, least));
   }
 }
 
@@ -157,6 +161,7 @@ void require_everywhere(const SampleSets& sets) {
                                all.size(), d == 0 ? "x" : "y", all[k], next),
                    fmt::format("a point at least every {:.3g}", most),
                    "over many points or sets, all places are equally likely",
+                   {},
                    "points must fall anywhere on the torus, including near the edges"});
     }
   }

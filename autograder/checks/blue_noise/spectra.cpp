@@ -128,22 +128,22 @@ std::vector<Curve> wrong_powers(const Points& points, int kmax, const Power& exa
       return (real * real + imaginary * imaginary) / n;
     };
   };
-  const std::pair<Power, const char*> suspects[] = {
+  const std::pair<Power, Likely> suspects[] = {
       {[&](int kx, int ky) { return exact(kx, std::abs(ky)); },
-       "P(kx, ky) = P(-kx, -ky), but it is not P(kx, -ky)"},
+       "P(kx, ky) = P(-kx, -ky), but it is not P(kx, -ky)"_likely},
       {[&](int kx, int ky) { return exact(kx, ky) * n; },
-       "this is |sum|^2: divide by the number of points"},
-      {[&](int kx, int ky) { return exact(kx, ky) / n; }, "this is divided by N twice"},
+       "this is |sum|^2: divide by the number of points"_likely},
+      {[&](int kx, int ky) { return exact(kx, ky) / n; }, "this is divided by N twice"_likely},
       {[&](int kx, int ky) { return std::sqrt(exact(kx, ky) * n); },
-       "this is |sum|: the task asks for its square over N"},
+       "this is |sum|: the task asks for its square over N"_likely},
       {[&](int kx, int ky) { return std::sqrt(exact(kx, ky) / n); },
-       "this is |sum| / N: square |sum| before dividing by N"},
+       "this is |sum| / N: square |sum| before dividing by N"_likely},
       {[&](int kx, int ky) { return exact(ky, kx); },
-       "kx and ky are swapped: ky is the outer index"},
+       "kx and ky are swapped: ky is the outer index"_likely},
       {[&](int kx, int ky) { return kx == 0 && ky == 0 ? 0 : exact(kx, ky); },
-       "the power at k = 0 belongs to the result: N"},
-      {sums(2, false), "this is the sum of cosines only: the sum of sines is missing"},
-      {sums(1), "the angle is 2 pi k x, not pi k x"}};
+       "the power at k = 0 belongs to the result: N"_likely},
+      {sums(2, false), "this is the sum of cosines only: the sum of sines is missing"_likely},
+      {sums(1), "the angle is 2 pi k x, not pi k x"_likely}};
   std::vector<Curve> curves;
   for (const auto& [power, hint] : suspects) curves.push_back({values_of(kmax, power), hint});
   return curves;
@@ -232,15 +232,17 @@ std::vector<Curve> wrong_means(const Values& power, int kmax, const RingOf& near
   with_zero[0] = 0;
   const auto means = [&](const RingOf& ring_of) { return means_over(power, kmax, ring_of); };
   return {{means([](int, int, double k) { return std::floor(k); }),
-           "|k| is truncated: round it to the nearest ring"},
-          {sum, "this is the sum over the ring: the task asks for its mean"},
-          {by_length, "this is the sum over 2 pi r: divide by the number of (kx, ky) in the ring"},
+           "|k| is truncated: round it to the nearest ring"_likely},
+          {sum, "this is the sum over the ring: the task asks for its mean"_likely},
+          {by_length,
+           "this is the sum over 2 pi r: divide by the number of (kx, ky) in the ring"_likely},
           {means([=](int, int ky, double k) { return ky >= 0 ? std::round(k) : infinity; }),
-           "this is the mean over ky >= 0 only"},
+           "this is the mean over ky >= 0 only"_likely},
           {means([=](int, int, double k) { return std::min<double>(std::round(k), kmax); }),
-           "the corners are in the last ring: they belong to no ring"},
-          {with_center, "ring 0 has the power at k = 0: it must be NaN, because it has no meaning"},
-          {with_zero, "ring 0 is 0: it must be NaN, because it has no meaning"}};
+           "the corners are in the last ring: they belong to no ring"_likely},
+          {with_center,
+           "ring 0 has the power at k = 0: it must be NaN, because it has no meaning"_likely},
+          {with_zero, "ring 0 is 0: it must be NaN, because it has no meaning"_likely}};
 }
 
 void compare_rings(const std::vector<int>& sizes, Rng& rng) {

@@ -97,11 +97,12 @@ void compare_distances(const Pairs& pairs) {
       .exact = {},
       .tolerance = {},
       .because = "coordinates and differences are rounded to eps / 2",
-      .suspects = {{{},
-                    "this is the distance in the square: the distance across an edge is shorter"},
-                   {{}, "this is the distance: the task asks for its square"},
-                   {{}, "x wraps around the torus, y does not"},
-                   {{}, "this is |dx| + |dy|: add the squares"}},
+      .suspects =
+          {{{},
+            "this is the distance in the square: the distance across an edge is shorter"_likely},
+           {{}, "this is the distance: the task asks for its square"_likely},
+           {{}, "x wraps around the torus, y does not"_likely},
+           {{}, "this is |dx| + |dy|: add the squares"_likely}},
       .rule = "along each axis, take the shorter of |difference| and 1 - |difference|",
       .name =
           [&a = pairs.a, &b = pairs.b](std::size_t i) {
@@ -171,7 +172,7 @@ void judge_tilings(const std::vector<std::pair<std::size_t, int>>& cases, Rng& r
          .tolerance = {eps},  // the sum is rounded to eps copies / 2, the quotient to eps / 4
          .because = "a point of the copy (i, j) lies at ((i + x) / copies, (j + y) / copies)",
          .suspects = {{tiled(pattern, copies, 0),
-                       "all copies are in one place: i / copies of two integers is 0"}},
+                       "all copies are in one place: i / copies of two integers is 0"_likely}},
          .rule = "do not rotate, mirror or move the pattern; limit only what is rounded up to 1",
          .name =
              [&call = measured.call](std::size_t i) {

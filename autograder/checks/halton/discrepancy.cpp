@@ -186,14 +186,14 @@ void Discrepancies::add(const Measured<double>& got, const Values& x, const Valu
     return worst_box(x, y, heights, boxes);
   };
   results_.add(got.call, got.value, of({}), 1e-14, [=]() -> std::vector<Suspect> {
-    const std::string
+    const Likely
         closed =
             "only open boxes were used: boxes that include the points on their border count, "
-            "too",
+            "too"_likely,
         open =
             "only closed boxes were used: boxes that exclude the points on their border count, "
-            "too",
-        to_1 = "only boxes that end at points were used: boxes that end at 1 count, too";
+            "too"_likely,
+        to_1 = "only boxes that end at points were used: boxes that end at 1 count, too"_likely;
     return {{of({.closed = false}), closed},
             {of({.open = false}), open},
             {of({.to_1_right = false, .to_1_above = false}), to_1},

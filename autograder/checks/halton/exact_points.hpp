@@ -16,11 +16,11 @@ inline double wrapped(double x) {
 }
 
 /// The claim that the shift of `what` is uniform and independent for each axis.
-inline Randomness uniform_shift(const std::string& what, const std::string& repeated = {}) {
+inline Randomness uniform_shift(const std::string& what, const Likely& repeated = {}) {
   return {.words = "the shift of " + what + " is uniform in the unit cube",
           .rule = "draw a uniform number in [0, 1) for each axis",
           .repeated = repeated,
-          .same = "the same shift on every axis moves points along the diagonal"};
+          .same = "the same shift on every axis moves points along the diagonal"_likely};
 }
 
 /// The radical inverse, accurate to 100 bits.
@@ -85,11 +85,11 @@ inline std::vector<Curve> inverse_suspects(std::span<const double> got, const In
   const auto& indices = expected.indices;
   const unsigned base = expected.base;
   std::vector<Curve> all;
-  const auto suspect = [&](auto f, const std::string& hint) {
+  const auto suspect = [&](auto f, const Likely& hint) {
     if (!(std::abs(f(indices.back()) - got.back()) <= 1e-7)) return;
     all.push_back({each(indices, f), hint});
   };
-  const auto other_index = [&](auto change, const std::string& hint) {
+  const auto other_index = [&](auto change, const Likely& hint) {
     suspect([=](std::uint64_t i) { return inverse(base, change(i)); }, hint);
   };
   suspect(
@@ -98,7 +98,7 @@ inline std::vector<Curve> inverse_suspects(std::span<const double> got, const In
         for (std::uint64_t rest = i; rest > 0; rest /= base) size *= base;
         return static_cast<double>(i) / size;
       },
-      "the digits are not mirrored: the last digit of the index must come first after the point");
+      "the digits are not mirrored: the last digit of the index must come first after the point"_likely);
   const auto mirrored_in = [&](auto zero) {
     using Word = decltype(zero);
     for (const bool power_too : {false, true}) {  // whether the power of the base overflows, too
@@ -111,16 +111,16 @@ inline std::vector<Curve> inverse_suspects(std::span<const double> got, const In
             }
             return static_cast<double>(number) / (power_too ? static_cast<double>(power) : size);
           },
-          fmt::format("the mirrored digits do not fit in {0} bits: the integer a * {1} + digit "
-                      "overflows; compute with a double from the highest digit on (Horner's rule)",
-                      8 * sizeof(Word), base));
+          likely("the mirrored digits do not fit in {0} bits: the integer a * {1} + digit "
+                 "overflows; compute with a double from the highest digit on (Horner's rule)",
+                 8 * sizeof(Word), base));
     }
   };
   mirrored_in(std::uint32_t{0});
   mirrored_in(std::uint64_t{0});
-  other_index([](std::uint64_t i) { return i + 1; }, "this begins one index too late");
+  other_index([](std::uint64_t i) { return i + 1; }, "this begins one index too late"_likely);
   other_index([](std::uint64_t i) { return i & 0xffffffffu; },
-              "the index was truncated to 32 bits");
+              "the index was truncated to 32 bits"_likely);
   if (expected.alone) return all;
   // Columns with a wrong first index (0, the beginning of a block), or in another base.
   std::vector<std::uint64_t> firsts{0};
@@ -130,13 +130,12 @@ inline std::vector<Curve> inverse_suspects(std::span<const double> got, const In
   }
   firsts.erase(std::unique(firsts.begin(), firsts.end()), firsts.end());
   for (const std::uint64_t first : firsts) {
-    other_index(
-        [shift = indices[0] - first](std::uint64_t i) { return i - shift; },
-        fmt::format("these radical inverses start at index {}, not at {}", first, indices[0]));
+    other_index([shift = indices[0] - first](std::uint64_t i) { return i - shift; },
+                likely("these radical inverses start at index {}, not at {}", first, indices[0]));
   }
   for (unsigned other = 2; other < 300; ++other) {
     suspect([=](std::uint64_t i) { return inverse(other, i); },
-            fmt::format("these are in base {} instead of {}", other, base));
+            likely("these are in base {} instead of {}", other, base));
   }
   return all;
 }

@@ -18,7 +18,7 @@ Values pairs_that_share(Rng& rng);
 SampleSets scrambled(const Values& x, const std::vector<std::uint64_t>& seeds);
 /// Pair k of x shares k bits in a set, too, which `seed` scrambled.
 void check_pair(const Values& x, const SampleSets& got, std::size_t set, std::uint64_t seed, int k);
-std::string flips_hint(const Uniforms& of_zero);
+Likely flips_hint(const Uniforms& of_zero);
 void check_pairs(Rng& rng);
 void check_triples(int depth, Rng& rng);
 void check_first_flips(Rng& rng);
@@ -120,25 +120,26 @@ void check_pair(const Values& x, const SampleSets& got, std::size_t set, std::ui
   const SampleSets alone = scrambled({from.begin(), from.end()}, {seed});  // easier to repeat
   const bool is_alone = !holds(alone.values());
   const View to = is_alone ? View(alone.values()) : in_list;
-  expect_that(
-      false,
-      fmt::format("{}: {:.17g} and {:.17g} became {:.17g} and {:.17g}, which share {} bits",
-                  is_alone ? alone.call : got.call, from[0], from[1], to[0], to[1],
-                  shared_bits(to[0], to[1])),
-      fmt::format("{} bits, of 53, as the values themselves", k),
-      "the flip of a bit depends only on the bits before it, which are the same here",
-      "the flip of a bit must not depend on the bits after it",
-      k >= 31 && are_multiples(to, 0x1p-32) ? "only 32 bits were scrambled; scramble all 53" : "");
+  expect_that(false,
+              fmt::format("{}: {:.17g} and {:.17g} became {:.17g} and {:.17g}, which share {} bits",
+                          is_alone ? alone.call : got.call, from[0], from[1], to[0], to[1],
+                          shared_bits(to[0], to[1])),
+              fmt::format("{} bits, of 53, as the values themselves", k),
+              "the flip of a bit depends only on the bits before it, which are the same here",
+              "the flip of a bit must not depend on the bits after it",
+              k >= 31 && are_multiples(to, 0x1p-32)
+                  ? "only 32 bits were scrambled; scramble all 53"_likely
+                  : ""_likely);
 }
 
-std::string flips_hint(const Uniforms& of_zero) {
+Likely flips_hint(const Uniforms& of_zero) {
   const auto is_alike = [](double u) { return u == 0 || u == 1 - half_ulp; };
   if (std::ranges::all_of(of_zero.values, is_alike)) {
-    return "all bits of 0 are flipped in the same way: 0 and 00 are different strings before a bit";
+    return "all bits of 0 are flipped in the same way: 0 and 00 are different strings before a bit"_likely;
   }
   const std::size_t different = std::set(of_zero.values.begin(), of_zero.values.end()).size();
   if (different < of_zero.values.size() / 2) {
-    return fmt::format(
+    return likely(
         "{} seeds flip the bits of 0 in only {} ways: mix seed, position and bits "
         "by a hash, such as mix_bits of common/rng.hpp",
         of_zero.values.size(), different);
@@ -170,11 +171,15 @@ void check_pairs(Rng& rng) {
     }
     expect_independent_uniforms(
         apart,
-        {.words = independent, .alpha = 1e-8 / 52, .rule = nested, .explain = [&] {
+        {.words = independent,
+         .alpha = 1e-8 / 52,
+         .rule = nested,
+         .is_certain = true,
+         .explain = [&] {
            return k > 0 || !is_shift
-                      ? nested
-                      : "every bit is flipped in the same way for all strings before it: "
-                        "that is a digital shift; draw a flip for each string of bits before";
+                      ? Likely{}
+                      : "every bit is flipped in the same way for all strings before it: that is a "
+                        "digital shift; draw a flip for each string of bits before"_likely;
          }});
   }
 }

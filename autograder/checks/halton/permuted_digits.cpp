@@ -45,8 +45,8 @@ CHECK_CASE("5.9 each position has a permutation of its digits", "[5.9][points:3]
                 "400 seeds give more than 300 different ones",
                 "its digits are infinitely many zeros, each permuted at its position", zeros_too,
                 different <= base ? "all zeros of index 0 become the same digit: use a different "
-                                    "permutation for each position"
-                                  : "");
+                                    "permutation for each position"_likely
+                                  : ""_likely);
   }
 }
 
@@ -124,7 +124,7 @@ void check_bijection(const std::string& call, View x, bool is_late) {
                   parts),
       "the last digits have all combinations, and so do their permutations",
       "a permutation is a bijection; use one for each position, not for each digit before",
-      is_late ? "the first indices are right: keep all 64 bits of an index" : "");
+      is_late ? "the first indices are right: keep all 64 bits of an index"_likely : ""_likely);
 }
 
 /// An index with one digit that is not 0.
@@ -186,10 +186,10 @@ void check_digits(Rng& rng, unsigned base) {
         fmt::format("the permutation of position {} (from 0) gives the indices different digits",
                     position),
         one_each,
-        got[0] == 0 ? zeros_too
+        got[0] == 0 ? Likely(zeros_too)
         : whole == 0
-            ? "this position has no permutation: indices that differ there get the same value"
-            : "");
+            ? "this position has no permutation: indices that differ there get the same value"_likely
+            : ""_likely);
     moves.push_back(whole * counts);
   }
   for (std::size_t i = 0; i < several.size(); ++i) {
@@ -270,7 +270,7 @@ void check_permutations(Rng& rng, unsigned base, const std::vector<unsigned>& po
       {.words = fmt::format("the permutations of {} digits are random, for each position and seed",
                             base),
        .rule = "use a random permutation for each position, from a hash of seed and position",
-       .explain = [&]() -> std::string {
+       .explain = [&]() -> Likely {
          // The orders at position 0 for a seed, and at position 1 for the seed before it.
          const std::size_t row = positions.size() * base;
          const auto order_at = [&](std::size_t r, std::size_t p) {
@@ -282,9 +282,9 @@ void check_permutations(Rng& rng, unsigned base, const std::vector<unsigned>& po
          }
          if (is_shifted) {
            return "position 1 of a seed has the permutation of position 0 of the next seed: mix "
-                  "both by a hash, do not add them";
+                  "both by a hash, do not add them"_likely;
          }
-         return base == 3 ? shuffle_hint(orders, 3) : "";
+         return base == 3 ? shuffle_hint(orders, 3) : ""_likely;
        }});
 }
 

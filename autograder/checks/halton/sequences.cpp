@@ -30,7 +30,7 @@ CHECK_CASE("5.3 the first primes", "[5.3][points:3]") {
         {measured.call, got},
         {.exact = {primes.begin(), primes.begin() + static_cast<std::ptrdiff_t>(count)},
          .because = "the primes in order: 2, 3, 5, 7, 11, …",
-         .suspects = {{from_1, "1 is not prime"}},
+         .suspects = {{from_1, "1 is not prime"_likely}},
          .rule = "the only divisors of a prime are 1 and itself; list each once, in order"});
   }
 }
@@ -132,14 +132,15 @@ void check_hammersley(std::uint64_t n, std::uint64_t dims) {
   const std::span<const double> got = measured.exactly(n * dims, any_number);
   Values centered = steps(n);
   for (double& x : centered) x += 0.5 / static_cast<double>(n);
-  expect_each({measured.call + ", coordinate 0", got.first(n)},
-              {.exact = steps(n),
-               .tolerance = {2 * half_ulp},
-               .because = "coordinate 0 of point i is i / N",
-               .suspects = {{centered, "this is the centered variant: coordinate 0 is i / N"},
-                            {std::vector<double>(n),
-                             "i / N of two integers is 0: convert to double before the division"}},
-               .rule = "i / N in double division"});
+  expect_each(
+      {measured.call + ", coordinate 0", got.first(n)},
+      {.exact = steps(n),
+       .tolerance = {2 * half_ulp},
+       .because = "coordinate 0 of point i is i / N",
+       .suspects = {{centered, "this is the centered variant: coordinate 0 is i / N"_likely},
+                    {std::vector<double>(n),
+                     "i / N of two integers is 0: convert to double before the division"_likely}},
+       .rule = "i / N in double division"});
   check_axes(measured, n, dims, 0, 1);
 }
 
@@ -185,7 +186,7 @@ bool is_gray_code_in_dimension_2() {
 /// The values that well-known mistakes give.
 std::vector<Curve> sobol_suspects(unsigned dimension, const std::vector<std::uint64_t>& indices) {
   std::vector<Curve> all;
-  const auto suspect = [&](auto v, auto index, const std::string& hint) {
+  const auto suspect = [&](auto v, auto index, const Likely& hint) {
     all.push_back({each(indices, [&](std::uint64_t i) { return sobol_value(v, index(i)); }), hint});
   };
   const auto same = [](std::uint64_t i) { return i; };
@@ -194,13 +195,13 @@ std::vector<Curve> sobol_suspects(unsigned dimension, const std::vector<std::uin
   for (std::size_t k = 1; k < halved.size(); ++k) halved[k] = exact[k - 1] >> 1;
   suspect(halved, same,
           "bit k of the index, from 0, selects v_k = m_(k+1) 2^-(k+1): m_k is used in place of "
-          "m_(k+1)");
+          "m_(k+1)"_likely);
   if (is_gray_code_in_dimension_2()) {
-    suspect(exact, gray_code, "these are the points in Gray-code order: another order");
+    suspect(exact, gray_code, "these are the points in Gray-code order: another order"_likely);
   }
   suspect(
       exact, [](std::uint64_t i) { return i + 1; },
-      "this starts one index too late: point 0 is the origin");
+      "this starts one index too late: point 0 is the origin"_likely);
   return all;
 }
 

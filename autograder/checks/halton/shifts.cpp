@@ -62,7 +62,7 @@ CHECK_CASE("5.10 lattices of any size", "[5.10][stretch][needs:5.7]") {
 
 CHECK_CASE("5.10 each axis has its own uniform shift", "[5.10][stretch][needs:5.7]") {
   const Randomness claim =
-      uniform_shift("a lattice", "the shift does not depend on all 64 bits of the seed");
+      uniform_shift("a lattice", "the shift does not depend on all 64 bits of the seed"_likely);
   for (const auto& seeds :
        {domain::seeds(rng, 3000), domain::in_a_row(rng(), 3000), domain::seeds_by_bit(rng)}) {
     Uniforms shifts{"", 16, check_lattice(1, 16, seeds)};
@@ -83,7 +83,7 @@ CHECK_CASE("5.10 the tent transform folds the line", "[5.10][stretch]") {
               {.exact = exact,
                .tolerance = {2 * half_ulp},
                .because = "1 - |2x - 1| is 2x up to 1/2, and 2 - 2x above",
-               .suspects = {{kept, "this is 2x modulo 1, which jumps at 1/2: fold instead"}},
+               .suspects = {{kept, "this is 2x modulo 1, which jumps at 1/2: fold instead"_likely}},
                .rule = "1 - |2x - 1|"});
   measured.exactly(x.size(), unit);  // 1/2 becomes the largest double below 1
 }
@@ -146,7 +146,7 @@ double multiple(Count i, Count z, Count n) {
 }
 
 /// What well-known mistakes have for i z / n modulo 1.
-std::string lattice_hint(View x, Count z) {
+Likely lattice_hint(View x, Count z) {
   const auto explains = [&](auto place, double within) {
     for (Count i = 0; i < x.size(); ++i) {
       if (std::abs(std::remainder(x[i] - x[0] - place(i), 1.0)) > within) return false;
@@ -155,13 +155,13 @@ std::string lattice_hint(View x, Count z) {
   };
   const Count n = x.size();
   if (explains([=](Count i) { return multiple(i, 1, n); }, lattice_tolerance)) {
-    return "this is i / N on every axis: multiply i by lattice_vector[d] first";
+    return "this is i / N on every axis: multiply i by lattice_vector[d] first"_likely;
   }
   if (explains([=](Count i) { return multiple(i * z & 0xffffffffu, 1, n); }, lattice_tolerance)) {
-    return "i z needs more than 32 bits";
+    return "i z needs more than 32 bits"_likely;
   }
   if (explains([=](Count i) { return multiple(i, z, n); }, 1e-6)) {
-    return "rounding errors: compute i z modulo N in integers, and divide once";
+    return "rounding errors: compute i z modulo N in integers, and divide once"_likely;
   }
   return {};
 }

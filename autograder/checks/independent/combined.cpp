@@ -5,7 +5,7 @@
 namespace mc::checks {
 namespace {
 
-const std::string half = "do not average the two terms: their weights add up to 1 already";
+const Likely half = "do not average the two terms: their weights add up to 1 already"_likely;
 const std::string uniform_points =
     "a uniform point of the light and an independent direction, from four random numbers";
 
@@ -53,7 +53,7 @@ CHECK_CASE("2.9 pairs know their error", "[2.9][stretch][needs:2.1]") {
   }
   expect_mean({got.call + ", n standard_error^2 / variance", squares, three}, 1, x.kurtosis / 3,
               {"squared standard errors of pairs have the mean variance / n", alpha},
-              {{{0.5, "this is s / sqrt(2 n): there are n pairs, and a pair is one value"}},
+              {{{0.5, "this is s / sqrt(2 n): there are n pairs, and a pair is one value"_likely}},
                "return s / sqrt(n) of the n values of pairs"});
 }
 
@@ -75,19 +75,20 @@ void judge_each_term(Rng& rng) {
     const double distance = std::sqrt(square + light.height * light.height);
     const double cosine = light.height / distance, f = light.radiance * cosine;
     const auto got = by_pairs(light, n, rng(), 1);
-    small.add(got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-9 * exact,
-              [=]() -> std::vector<Suspect> {
-                return {
-                    {exact / 2, half},
-                    {f / (1 / a + cosine / pi),
-                     "1 / area is a density per area: per solid angle it is distance^2 / (area "
-                     "cos(light))"},
-                    {f / (distance * distance / a),
-                     "a cosine is missing: f has that at the receiver, p_area that at the light"},
-                    {0,
-                     "the point on this light has nearly the weight 1, p_area / (p_area + "
-                     "p_hemisphere), and adds nothing"}};
-              });
+    small.add(
+        got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-9 * exact,
+        [=]() -> std::vector<Suspect> {
+          return {
+              {exact / 2, half},
+              {f / (1 / a + cosine / pi),
+               "1 / area is a density per area: per solid angle it is distance^2 / (area "
+               "cos(light))"_likely},
+              {f / (distance * distance / a),
+               "a cosine is missing: f has that at the receiver, p_area that at the light"_likely},
+              {0,
+               "the point on this light has nearly the weight 1, p_area / (p_area + "
+               "p_hemisphere), and adds nothing"_likely}};
+        });
     const RectLight all{-1e15, 1e15, -1e15, 1e15, uniform(rng, 0.5, 2), uniform(rng, 2, 9)};
     const auto of_sky = by_pairs(all, n, rng(), 1);
     const double most = pi * all.radiance;
@@ -96,7 +97,7 @@ void judge_each_term(Rng& rng) {
               return {{most / 2, half},
                       {0,
                        "the direction has nearly the weight 1, p_hemisphere / (p_area + "
-                       "p_hemisphere), and adds nothing"}};
+                       "p_hemisphere), and adds nothing"_likely}};
             });
   }
   const std::string rule = "f / (p_area + p_hemisphere), with both densities per solid angle";

@@ -13,7 +13,7 @@ inline constexpr double denormal = std::numeric_limits<double>::denorm_min();
 /// The alpha of each of the 47 random tests of this lab; the sum is 4.7e-7.
 inline constexpr double alpha = 1e-8;
 
-inline const std::string from_rng = "take all random numbers from rng";
+inline const Likely from_rng = "take all random numbers from rng"_likely;
 inline const std::string no_mean = "there is no mean of 0 samples";
 
 /// Function::g
@@ -62,7 +62,7 @@ struct Numbers {
   std::string words;  ///< "the points of 2.2"
   std::size_t dims;
   std::function<Uniforms(std::uint64_t n, std::uint64_t seed, std::uint64_t calls)> ask;
-  std::string same = {};  ///< the hint if two numbers of a sample are equal
+  Likely same = {};  ///< the hint if two numbers of a sample are equal
 };
 
 /// The numbers of one call are random, to `bits` bits, and independent of those with another seed.
@@ -73,7 +73,7 @@ inline void judge_one_call(const Numbers& numbers, std::uint64_t n, int bits, Rn
   expect_independent_uniforms(
       one, {numbers.words + ", of one call", alpha,
             "make each number by to_unit() from a new word; use no mirror image 1 - u",
-            "take new numbers from rng inside the loop, for each sample", numbers.same});
+            "take new numbers from rng inside the loop, for each sample"_likely, numbers.same});
   Uniforms both = side_by_side(one, other);
   both.name = [dims = numbers.dims](std::size_t position) {
     return fmt::format("number {} of a sample with {}", position % dims,
@@ -91,7 +91,7 @@ inline void judge_calls_in_turn(const Numbers& numbers, std::uint64_t n, std::ui
   all.positions = numbers.dims * n;
   expect_independent_uniforms(all, {numbers.words + ", of calls in turn", alpha,
                                     "each call must continue where the last one left the generator",
-                                    "the generator must advance: do not use a copy of it"});
+                                    "the generator must advance: do not use a copy of it"_likely});
 }
 
 /// Estimates from n and from 2n samples, with the same seed, differ: they are equal if the numbers

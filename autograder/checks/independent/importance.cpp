@@ -152,17 +152,17 @@ std::vector<Suspect> weight_suspects(const WeightTrace& all, const Sampling& p) 
   };
   std::vector<Suspect> suspects{
       {of([&](auto i) { return of_g[i]; }),
-       "this is the mean of g: divide each value by p, because more points lie where p is large"},
+       "this is the mean of g: divide each value by p, because more points lie where p is large"_likely},
       {of([&](auto i) { return w[i]; }) / of([&](auto i) { return 1 / of_p[i]; }),
-       "this divides by the sum of the weights 1 / p: p is normalized, so divide by n"},
+       "this divides by the sum of the weights 1 / p: p is normalized, so divide by n"_likely},
       {of([&](auto i) { return is_usable(of_p[i]) ? w[i] : nan; }),
-       "where the pdf is 0 or infinite, add 0, not a NaN such as inf / inf"},
+       "where the pdf is 0 or infinite, add 0, not a NaN such as inf / inf"_likely},
       {of([&](auto i) { return of_g[i] / pdf(all.seen.u[i]); }),
-       "this divides by p(u): divide by p(x)"}};
+       "this divides by p(u): divide by p(x)"_likely}};
   for (const double most : {1.0, 10.0, 100.0, 1000.0}) {
     suspects.push_back(
         {of([&](auto i) { return std::clamp(w[i], -most, most); }),
-         fmt::format("weights beyond {} are clamped, which makes the estimate biased", most)});
+         likely("weights beyond {} are clamped, which makes the estimate biased", most)});
   }
   return suspects;
 }
@@ -176,7 +176,7 @@ void judge_weights(const std::vector<Case>& cases, Rng& rng) {
     add_error(errors, seen.weights, [=]() -> std::vector<Suspect> {
       const auto of_g = exact_moments(seen.seen.values);
       return {{std::sqrt(of_g.variance / of_g.count),
-               "this is the standard error of g's values: the estimate is a mean of g / p"}};
+               "this is the standard error of g's values: the estimate is a mean of g / p"_likely}};
     });
   }
   judge_means(means, "g / p");

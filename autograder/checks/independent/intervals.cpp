@@ -22,19 +22,20 @@ CHECK_CASE("2.5 a confidence interval of a given level", "[2.5][points:6][main]"
     for (const double sign : {-1.0, 1.0}) {
       // (1 - level) / 2 may have a rounding error of 1e-16 in 5e-7: nine digits are left. A level
       // near 0 has a quantile near 0, which normal_quantile() returns with an error of 1e-16.
-      ends.add(got.call + (sign < 0 ? ".low" : ".high"), sign < 0 ? got.value.low : got.value.high,
-               value + sign * reach, 1e-9 * reach + 4 * eps * (std::abs(value) + error),
-               [=]() -> std::vector<Suspect> {
-                 return {{value + sign * normal_quantile(level) * error,
-                          "the interval excludes two tails: use (1 + level) / 2"},
-                         {value + sign * 1.96 * error, "1.96 is for a level of 95 % only"},
-                         {value + sign * reach / std::sqrt(static_cast<double>(estimate.n)),
-                          "standard_error is that of the mean: it is already divided by sqrt(n)"},
-                         {value, "the interval has length 0"},
-                         {value + sign * reach / 2,
-                          "the interval has half of its length: z standard errors to each side"},
-                         {value - sign * reach, "low and high are swapped"}};
-               });
+      ends.add(
+          got.call + (sign < 0 ? ".low" : ".high"), sign < 0 ? got.value.low : got.value.high,
+          value + sign * reach, 1e-9 * reach + 4 * eps * (std::abs(value) + error),
+          [=]() -> std::vector<Suspect> {
+            return {{value + sign * normal_quantile(level) * error,
+                     "the interval excludes two tails: use (1 + level) / 2"_likely},
+                    {value + sign * 1.96 * error, "1.96 is for a level of 95 % only"_likely},
+                    {value + sign * reach / std::sqrt(static_cast<double>(estimate.n)),
+                     "standard_error is that of the mean: it is already divided by sqrt(n)"_likely},
+                    {value, "the interval has length 0"_likely},
+                    {value + sign * reach / 2,
+                     "the interval has half of its length: z standard errors to each side"_likely},
+                    {value - sign * reach, "low and high are swapped"_likely}};
+          });
     }
   }
   ends.expect("the interval leaves (1 - level) / 2 outside on each side",
@@ -229,13 +230,14 @@ void judge_plans(const std::vector<Plan>& plans) {
     const bool is_one_more = value == fewest + 1;
     samples.add(got.call, is_one_more ? fewest : value, fewest, slack + is_huge,
                 [=]() -> std::vector<Suspect> {
-                  const std::string up = "this is slightly too few: round up";
-                  return {{std::floor(exact), up},
-                          {std::round(exact), up},
-                          {std::ceil(n * plain),
-                           "half the error costs four times the samples: square the ratio"},
-                          {std::ceil(exact) - n,
-                           "the task asks for the total number, not for additional samples"}};
+                  const Likely up = "this is slightly too few: round up"_likely;
+                  return {
+                      {std::floor(exact), up},
+                      {std::round(exact), up},
+                      {std::ceil(n * plain),
+                       "half the error costs four times the samples: square the ratio"_likely},
+                      {std::ceil(exact) - n,
+                       "the task asks for the total number, not for additional samples"_likely}};
                 });
   }
   samples.expect("the error falls as 1 / sqrt(n)", "n (standard error / target)^2, rounded up");

@@ -11,7 +11,7 @@ using Function1 = std::function<double(double)>;
 struct FunctionCase {
   Function1 exact, tolerance;
   std::string because;
-  std::vector<std::pair<Function1, std::string>> mistakes;
+  std::vector<std::pair<Function1, Likely>> mistakes;
   std::string rule;
 };
 
@@ -32,11 +32,11 @@ CHECK_CASE("2.3 exponential samples by inversion", "[2.3][points:5][main]") {
                     [&](double at) { return 4 * eps * exact(at) + denormal; },
                     "P(x) = 1 - exp(-rate x) = u, to 4 ulp",
                     {{[=](double at) { return -std::log(at) / rate; },
-                      "this is -log(u) / rate: it decreases in u, and is infinite at u = 0"},
+                      "this is -log(u) / rate: it decreases in u, and is infinite at u = 0"_likely},
                      {[=](double at) { return -std::log(1 - at) / rate; },
-                      "1 - u loses the last digits of a small u: use log1p(-u)"},
+                      "1 - u loses the last digits of a small u: use log1p(-u)"_likely},
                      {[=](double at) { return -std::log1p(-at) * rate; },
-                      "divide by the rate: a high rate means short times"}},
+                      "divide by the rate: a high rate means short times"_likely}},
                     "solve 1 - exp(-rate x) = u for x, for every u in [0, 1): clamp none"});
     }
   }
@@ -59,7 +59,7 @@ CHECK_CASE("2.3 power samples by inversion", "[2.3][points:4]") {
                     tolerance,
                     "P(x) = x^(a+1) = u, to 4 ulp plus a rounded exponent or logarithm",
                     {{[=](double at) { return a == 0 ? nan : std::pow(at, 1 / a); },
-                      "integrating x^a raises the exponent: use 1 / (a + 1)"}},
+                      "integrating x^a raises the exponent: use 1 / (a + 1)"_likely}},
                     "solve x^(a+1) = u for x"});
       got.exactly(u.size(), closed_unit);
     }
@@ -78,13 +78,13 @@ CHECK_CASE("2.3 the densities of the samples", "[2.3][points:4]") {
       return exact(at) > 0 ? 4 * eps * (1 + rate * std::abs(at)) * exact(at) : 0;
     };
     const auto got = MEASURE(pdf_exponential, x, rate);
-    judge_values(
-        got.call, got.exactly(x.size(), any_number), "x", x,
-        {exact,
-         tolerance,
-         "rate exp(-rate x) for x >= 0, and 0 below",
-         {{[=](double at) { return rate * std::exp(-rate * at); }, "the density is 0 for x < 0"}},
-         "the derivative of P(x) = 1 - exp(-rate x); x = 0 belongs to the support"});
+    judge_values(got.call, got.exactly(x.size(), any_number), "x", x,
+                 {exact,
+                  tolerance,
+                  "rate exp(-rate x) for x >= 0, and 0 below",
+                  {{[=](double at) { return rate * std::exp(-rate * at); },
+                    "the density is 0 for x < 0"_likely}},
+                  "the derivative of P(x) = 1 - exp(-rate x); x = 0 belongs to the support"});
   }
   for (const double a : {uniform(rng, 1.5, 9), uniform(rng, -0.9, -0.1), 1.0, -0.5, 0.0, 1e-4}) {
     Values x;
@@ -102,7 +102,7 @@ CHECK_CASE("2.3 the densities of the samples", "[2.3][points:4]") {
                   tolerance,
                   "(a + 1) x^a on [0, 1], including both ends, and 0 outside",
                   {{[=](double at) { return at < 0 || at > 1 ? 0 : std::pow(at, a); },
-                    "a density integrates to 1: x^a alone gives 1 / (a + 1)"}},
+                    "a density integrates to 1: x^a alone gives 1 / (a + 1)"_likely}},
                   "the derivative of P(x) = x^(a+1), and 0 outside [0, 1]"});
   }
 }

@@ -84,7 +84,7 @@ CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:6][
              " with probability E / (pi L)",
          alpha},
         {{{solid_angle(light) / (2 * pi),
-           "these directions are uniform on the hemisphere: steep ones must be more likely"}},
+           "these directions are uniform on the hemisphere: steep ones must be more likely"_likely}},
          "a direction is a uniform point of the unit disk (radius sqrt(u), angle 2 pi v, from two "
          "numbers), lifted to the hemisphere; it meets the light if it is in x0 … x1 and y0 … y1 "
          "at z = height"});
@@ -99,7 +99,7 @@ CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:6][
     const auto other = by_hemisphere(light, n, rng(), replicates);
     expect_that(directions_met(other, light, n, replicates) != met,
                 other.call + "  gave the same estimates as with another seed",
-                "different estimates", "rng is the only source of randomness", from_rng);
+                "different estimates", "rng is the only source of randomness", from_rng.text);
   }
 }
 
@@ -144,7 +144,7 @@ CHECK_CASE("2.7 both estimates know their error", "[2.7][points:3][needs:2.1]") 
         {got.call + ", n standard_error^2 / variance", squares, three}, 1, x.kurtosis / 3,
         {"the light is " + placed.where + "; squared standard errors have the mean variance / n",
          alpha},
-        {{{3, "this is s, not s / sqrt(n)"}},
+        {{{3, "this is s, not s / sqrt(n)"_likely}},
          "return s / sqrt(n) of the samples' values, whose points are independent"});
     constexpr std::uint64_t many = 65'539;  // n (n - 1) exceeds 32 bits
     const auto one = by_area(light, many, rng(), 1);
@@ -196,12 +196,13 @@ void judge_formula(Rng& rng) {
     const double d = std::hypot(light.x0, light.y0, h);
     const double exact = at_square_distance(light, d * d - h * h);
     const auto got = by_area(light, n, rng(), 1);
-    values.add(got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-9 * exact,
-               [=]() -> std::vector<Suspect> {
-                 return {{exact * d / h, "a cosine is missing: the light is also seen at an angle"},
-                         {exact * d, "the distance is not squared: 1 / distance^2"},
-                         {exact / a, "the density of points is 1 / area: the area is missing"}};
-               });
+    values.add(
+        got.call + ".value", got.exactly(1, any_number)[0].value, exact, 1e-9 * exact,
+        [=]() -> std::vector<Suspect> {
+          return {{exact * d / h, "a cosine is missing: the light is also seen at an angle"_likely},
+                  {exact * d, "the distance is not squared: 1 / distance^2"_likely},
+                  {exact / a, "the density of points is 1 / area: the area is missing"_likely}};
+        });
   }
   values.expect("all points of such a small light give area · radiance · cos · cos / distance^2",
                 "area · radiance · cos(receiver) · cos(light) / distance^2, all over the light");

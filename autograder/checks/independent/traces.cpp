@@ -6,19 +6,21 @@ namespace {
 std::vector<Suspect> mean_suspects(const Values& values) {
   const auto n = static_cast<double>(values.size());
   const double mean = static_cast<double>(exact_mean(values));
-  return {{integer_sum(values) / n,
-           "the values were added up in an int: start with a double, std::accumulate(…, 0.0)"},
-          {mean * n / (n - 1), "this divides by n - 1; only a variance does"},
-          {(mean * n - values.back()) / n, "the last value is not in the sum"}};
+  return {
+      {integer_sum(values) / n,
+       "the values were added up in an int: start with a double, std::accumulate(…, 0.0)"_likely},
+      {mean * n / (n - 1), "this divides by n - 1; only a variance does"_likely},
+      {(mean * n - values.back()) / n, "the last value is not in the sum"_likely}};
 }
 
 std::vector<Suspect> error_suspects(const Values& values) {
   const auto exact = exact_moments(values);
   const double n = exact.count, s = std::sqrt(exact.variance);
-  return {{s * s / n, "this is the variance of the mean: take the square root"},
-          {s / n, "this is s / n: the variance falls as 1 / n, its square root as 1 / sqrt(n)"},
-          {s / std::sqrt(n) * std::sqrt((n - 1) / n),
-           "s^2 divides by n - 1: the values are closer to their own mean than to the true one"}};
+  return {
+      {s * s / n, "this is the variance of the mean: take the square root"_likely},
+      {s / n, "this is s / n: the variance falls as 1 / n, its square root as 1 / sqrt(n)"_likely},
+      {s / std::sqrt(n) * std::sqrt((n - 1) / n),
+       "s^2 divides by n - 1: the values are closer to their own mean than to the true one"_likely}};
 }
 
 }  // namespace

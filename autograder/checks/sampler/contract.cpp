@@ -287,8 +287,11 @@ void expect_answers(const std::string& kind, const char* which, const std::vecto
 void expect_contract(const std::string& kind, const std::vector<Step>& steps, const Claim& claim) {
   const Call call = MEASURE_OUTCOME(play, kind, steps);
   if (call.outcome.answered && call.outcome.status == wire::Status::other_exception) {
-    fail(Failure{fmt::format("{} threw {}", call.text, call.outcome.bytes), "no exception",
-                 claim.because, "", claim.rule});
+    fail(Failure{fmt::format("{} threw {}", call.text, call.outcome.bytes),
+                 "no exception",
+                 claim.because,
+                 {},
+                 claim.rule});
   }
   expect_answers(kind, "", steps,
                  result_of<std::vector<Answer>>(call).exactly(steps.size(), any_number), claim);

@@ -108,9 +108,9 @@ CHECK_CASE("6.6 render puts every pixel in its place", "[6.6][main][points:3][ne
     Comparison all{.exact = {},
                    .tolerance = {1e-12},
                    .because = "the mean of the scene's values at this pixel",
-                   .suspects = {{{}, "rows and columns are swapped"},
-                                {{}, "the picture is upside down"},
-                                {{}, "only the first sample of each pixel was used"}},
+                   .suspects = {{{}, "rows and columns are swapped"_likely},
+                                {{}, "the picture is upside down"_likely},
+                                {{}, "only the first sample of each pixel was used"_likely}},
                    .rule =
                        "pixel (column, row) has the index row * width + column, and is one "
                        "integration with spp samples"};
@@ -171,7 +171,7 @@ CHECK_CASE("6.6 the noise of a picture is independent across pixels",
         {got.call, 1, got.exactly(width * height, unit).pixels},
         {.words = "pixels are independent of each other",
          .rule = "the numbers of neighboring pixels must be independent",
-         .repeated = "pixels have the same numbers: use a different seed for each pixel"});
+         .repeated = "pixels have the same numbers: use a different seed for each pixel"_likely});
   }
 }
 
@@ -223,17 +223,17 @@ std::vector<Suspect> suspects_of(const KeyedIntegral& one) {
   const auto n = static_cast<double>(one.samples);
   const Values values = values_of(one, one.seed);
   const double sum = sum_of(values);
-  return {{sum, "divide by the number of samples"},
+  return {{sum, "divide by the number of samples"_likely},
           {sum_of(values_of(one, one.seed, 0)) / n,
-           "call advance() after each sample, to move to the next one"},
+           "call advance() after each sample, to move to the next one"_likely},
           {sum_of(values_of(one, one.seed, 1, 1, 1)) / n,
-           "call advance() after each sample, not before it"},
-          {sum_of(values_of(one, 0)) / n, "pass the seed to generate()"},
+           "call advance() after each sample, not before it"_likely},
+          {sum_of(values_of(one, 0)) / n, "pass the seed to generate()"_likely},
           {sum_of(values_of(one, static_cast<std::uint32_t>(one.seed))) / n,
-           "do not truncate the seed to 32 bits"},
-          {integer_sum(values) / n, "the values were added up in an int, which truncates"},
-          {sum / (n - 1), "this divides by N - 1: divide by N"},
-          {(sum - values.back()) / n, "the last sample is missing"}};
+           "do not truncate the seed to 32 bits"_likely},
+          {integer_sum(values) / n, "the values were added up in an int, which truncates"_likely},
+          {sum / (n - 1), "this divides by N - 1: divide by N"_likely},
+          {(sum - values.back()) / n, "the last sample is missing"_likely}};
 }
 
 void expect_integral(Results& results, const KeyedIntegral& one) {

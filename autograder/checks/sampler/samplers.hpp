@@ -58,8 +58,8 @@ inline void expect_multi_jittered(const SampleSets& sets, std::size_t c) {
                           "multi-jittered points (3.7) also have one in each stratum of both axes");
 }
 
-inline const std::string numbers_repeat =
+inline const Likely numbers_repeat =
     "numbers repeat for another seed, dimension, coordinate or sample: make columns from a hash of "
-    "the whole seed and the number of a dimension, not their sum; keep none in a static variable";
+    "the whole seed and the number of a dimension, not their sum; keep none in a static variable"_likely;
 
 }  // namespace mc::checks

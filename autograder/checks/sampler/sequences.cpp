@@ -43,11 +43,11 @@ CHECK_CASE("6.3 each seed and each dimension is randomized anew", "[6.3][points:
           {.words = "each dimension is randomized independently, before and after a new start",
            .rule = "each dimension is scrambled by its own seed, with each new start by a new one",
            .repeated = numbers_repeat,
-           .same = "one seed is used for several dimensions: use a different one for each",
-           .explain = [&] {
+           .same = "one seed is used for several dimensions: use a different one for each"_likely,
+           .explain = [&]() -> Likely {
              return got.column(0, 0)[0] > 0
-                        ? ""
-                        : "an unscrambled sequence begins at the origin: scramble it";
+                        ? ""_likely
+                        : "an unscrambled sequence begins at the origin: scramble it"_likely;
            }});
     }
   }
@@ -123,16 +123,16 @@ std::size_t first_wrong(const std::string& kind, const SampleSets& got, const Us
 }
 
 /// What so many samples show that chance does not.
-std::string likely_of(const std::string& kind, const Uses& uses, Rng& rng) {
+Likely likely_of(const std::string& kind, const Uses& uses, Rng& rng) {
   const SampleSets got = columns_of(kind, 1025, {fresh_seed(rng)}, uses);
   if (first_round(kind, got, uses).size() >= 7) return {};
   const View x = got.column(0, first_wrong(kind, got, uses));
   if (dimension_in(kind, x, {})) {
     return "a coordinate has a dimension that another one has: next() and next2() take the "
-           "dimensions of one sequence in turn, with one counter for both";
+           "dimensions of one sequence in turn, with one counter for both"_likely;
   }
   if (dimension_in(kind, x, {}, 1))
-    return "these are points 1, 2, …: use the sequence from index 0";
+    return "these are points 1, 2, …: use the sequence from index 0"_likely;
   return {};
 }
 
@@ -275,7 +275,7 @@ void check_orders(const std::string& kind, Rng& rng) {
       here.push_back((got.column(set, c)[0] < 0.5) == (got.column(set, c)[2] < 0.5));
     }
     const auto expect_half = [&](const std::vector<bool>& events, const std::string& what,
-                                 const std::string& likely) {
+                                 const Likely& likely) {
       const auto count = static_cast<std::size_t>(std::ranges::count(events, true));
       expect_that(4 * count >= sets && 4 * count <= 3 * sets,
                   fmt::format("{}: {} in {} of {} sets", got.call, what, count, sets),
@@ -283,15 +283,16 @@ void check_orders(const std::string& kind, Rng& rng) {
                   "use a different random order for each new start and each seed", likely);
     };
     const std::string name = fmt::format("samples 0 and 2 share the first bit of coordinate {}", c);
-    expect_half(here, name,
-                dimensions_of(kind)[*binary].is_in_order(got.column(0, c))
-                    ? "these are the points in the sequence's order: shuffle them at each new start"
-                    : "");
+    expect_half(
+        here, name,
+        dimensions_of(kind)[*binary].is_in_order(got.column(0, c))
+            ? "these are the points in the sequence's order: shuffle them at each new start"_likely
+            : ""_likely);
     for (std::size_t before = 0; before + 1 < shared.size(); ++before) {
       std::vector<bool> equal;
       for (std::size_t set = 0; set < sets; ++set)
         equal.push_back(shared[before][set] == here[set]);
-      expect_half(equal, name + ", as after another start,", "");
+      expect_half(equal, name + ", as after another start,", {});
     }
   }
 }
@@ -338,10 +339,10 @@ void check_lattice(const std::string& kind, Rng& rng) {
   require_value(call);
   check_later_rounds(kind, rng);
   const SampleSets got = columns_of(kind, 4, domain::seeds(rng, 1000), repeated(9, {2}));
-  expect_independent_uniforms(sample_of(got, 3),
-                              {.words = "each dimension has a random shift",
-                               .rule = "each dimension has its own random shift at each new start",
-                               .same = "one shift for several dimensions: each needs its own"});
+  expect_independent_uniforms(
+      sample_of(got, 3), {.words = "each dimension has a random shift",
+                          .rule = "each dimension has its own random shift at each new start",
+                          .same = "one shift for several dimensions: each needs its own"_likely});
 }
 
 }  // namespace

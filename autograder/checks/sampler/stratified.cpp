@@ -11,8 +11,8 @@ const std::string one_per_stratum = "a column has one number in each stratum";
 const Randomness fresh{
     .words = "all numbers of all samples are uniform and independent",
     .rule = "use new uniforms of lab 2 for every coordinate of every sample",
-    .repeated = "numbers are used again for another sample dimension or another sample",
-    .same = "numbers are used again for another sample dimension"};
+    .repeated = "numbers are used again for another sample dimension or another sample"_likely,
+    .same = "numbers are used again for another sample dimension"_likely};
 
 CHECK_CASE("6.1 numbers are uniform and independent", "[6.1][main][points:5][needs:2]") {
   const std::size_t many = 33 + rng() % 40;  // sample dimensions of either sort
@@ -86,7 +86,7 @@ CHECK_CASE("6.2 next2 has one point in each cell and stratum", "[6.2][main][poin
 /// The stratum of each sample, in the coordinates with a free order: next(), and x of next2().
 using Orders = std::vector<std::vector<std::size_t>>;
 Orders orders_of(const SampleSets& got, std::size_t set, const Uses& uses);
-std::string hint_for_orders(const std::vector<Orders>& sets);
+Likely hint_for_orders(const std::vector<Orders>& sets);
 
 // Swaps with any other of three values give a distribution that is 1/27 off: 20,000 sets show 1/40.
 using Shape = std::tuple<std::size_t, Uses, std::size_t>;
@@ -153,15 +153,15 @@ Orders orders_of(const SampleSets& got, std::size_t set, const Uses& uses) {
 }
 
 /// The hint from the orders of all sets.
-std::string hint_for_orders(const std::vector<Orders>& sets) {
+Likely hint_for_orders(const std::vector<Orders>& sets) {
   const auto in_all = [&](auto is_wrong) { return std::ranges::all_of(sets, is_wrong); };
   for (std::size_t a = 0; a < sets[0].size(); ++a) {
     if (in_all([=](const Orders& all) { return std::ranges::is_sorted(all[a]); })) {
-      return "the strata are in order: the pattern must be shuffled";
+      return "the strata are in order: the pattern must be shuffled"_likely;
     }
     for (std::size_t b = 0; b < a; ++b) {
       if (in_all([=](const Orders& all) { return all[a] == all[b]; })) {
-        return "one permutation is used for several dimensions: shuffle each one separately";
+        return "one permutation is used for several dimensions: shuffle each one separately"_likely;
       }
     }
   }

@@ -19,8 +19,8 @@ inline Randomness random_jitters(const std::string& task) {
       .alpha = alpha,
       .rule = "each point is (i + u) / n with its own u, uniform in [0, 1)",
       .repeated =
-          "random numbers repeat: bits are missing, or blocks or streams begin in the same state",
-      .same = "draw one for every coordinate"};
+          "random numbers repeat: bits are missing, or blocks or streams begin in the same state"_likely,
+      .same = "draw one for every coordinate"_likely};
 }
 
 using IntoGrid = Call(std::uint64_t size_x, std::uint64_t size_y, Grid grid);
@@ -108,7 +108,7 @@ inline void expect_level(const Sets& sets, const Level& level, std::size_t used 
       level.mean, level.variance, level.kurtosis,
       {fmt::format("the error of {} over {} points: {}", level.words, used, level.because), alpha},
       {{{level.independent / level.variance,
-         "this is the variance of independent points: the gain of stratification is lost"}},
+         "this is the variance of independent points: the gain of stratification is lost"_likely}},
        "each point must be uniform in its stratum and independent of the others"});
 }
 

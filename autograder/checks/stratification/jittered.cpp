@@ -230,7 +230,7 @@ void require_order(const Sets& sets) {
       fail(Failure{fmt::format("{}: x[{}] = {}", sets.call, i, sets.column(set, 0)[i]),
                    fmt::format("a value in [{}/{}, {}/{})", i, sets.n, i + 1, sets.n),
                    "point i lies in stratum i",
-                   "every stratum has its point, but the points are not in order"});
+                   "every stratum has its point, but the points are not in order"_likely});
     }
   }
 }
@@ -240,8 +240,8 @@ Comparison most_square(const std::vector<std::uint64_t>& n, const std::string& r
   Comparison grids{
       .exact = {},
       .because = "nx * ny = n with nx >= ny, as close to each other as the factors of n allow",
-      .suspects = {{{}, "nx must be the larger one"},
-                   {{}, "nx * ny must be n: with fewer cells, points are left over"}},
+      .suspects = {{{}, "nx must be the larger one"_likely},
+                   {{}, "nx * ny must be n: with fewer cells, points are left over"_likely}},
       .rule = rule};
   for (const std::uint64_t cells : n) {
     const Grid best = squarest(cells);

@@ -51,10 +51,10 @@ CHECK_CASE("3.9 the error bar is the spread of the replicates",
                 light_kurtosis(light, grid),
                 {.suspects = {{r,
                                "this is the standard deviation of one replicate: divide it by "
-                               "sqrt(replicates)"},
+                               "sqrt(replicates)"_likely},
                               {independent_variance(cells, 12) / stratified_variance(cells),
                                "this is s / sqrt(n) over all points, as if they were identically "
-                               "distributed: compute it from the replicates' means"}},
+                               "distributed: compute it from the replicates' means"_likely}},
                  .rule = "the error bar is that of 3.8, from the means of the replicates"});
   }
 }
@@ -92,12 +92,13 @@ REFUSAL_CASES("3.9", "no cells and no replicates are refused", "0.25",
 std::vector<Suspect> wrong_variances(const RectLight& light, Grid grid, const WithinStrata& cells) {
   const double right = stratified_variance(cells);
   const std::size_t n = grid.nx * grid.ny;
-  return {{independent_variance(cells, n) / right,
-           "this is the variance of independent points on the light: the map must keep strata"},
-          {(right + paired_anew_variance(cells, grid)) / right,
-           "this is the variance of x and y paired anew: keep the x and the y of a point together"},
-          {stratified_variance(light_strata(light, {grid.ny, grid.nx})) / right,
-           "this is the variance of a grid of ny x nx cells: nx counts the cells along x"}};
+  return {
+      {independent_variance(cells, n) / right,
+       "this is the variance of independent points on the light: the map must keep strata"_likely},
+      {(right + paired_anew_variance(cells, grid)) / right,
+       "this is the variance of x and y paired anew: keep the x and the y of a point together"_likely},
+      {stratified_variance(light_strata(light, {grid.ny, grid.nx})) / right,
+       "this is the variance of a grid of ny x nx cells: nx counts the cells along x"_likely}};
 }
 
 /// The means of formulas that lack a factor.
@@ -106,8 +107,9 @@ std::vector<Suspect> wrong_values(const RectLight& light, double exact) {
       area(light) * light.radiance * mean_over(light, [h = light.height](double x, double y) {
         return h / std::pow(std::hypot(x, y, h), 3);
       });
-  return {{exact / area(light), "the density of a point is 1 / area of the light: multiply by it"},
-          {one_cosine, "one of the two cosines is missing"}};
+  return {{exact / area(light),
+           "the density of a point is 1 / area of the light: multiply by it"_likely},
+          {one_cosine, "one of the two cosines is missing"_likely}};
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
                     orders.n),
         is_in_order
             ? claim.repeated
-            : "few permutations occur at all: rotations, a short seed, or one order for several"});
+            : "few permutations occur at all: rotations, a short seed, or one order for several"_likely});
   }
 }
 
@@ -34,14 +34,15 @@ void fail_at_fixed_value(const Permutations& orders) {
     if (stays < orders.size()) continue;
     fail(Failure{fmt::format("{}: value {} of {} keeps its place in all {} permutations",
                              orders.call, value, orders.n, stays),
-                 "any value in any place", "", "shuffle all values, including the last one"});
+                 "any value in any place", "",
+                 "shuffle all values, including the last one"_likely});
   }
 }
 
 /// The hint if many values keep their order or stay together. If short random keys were sorted,
 /// more than half of all neighbors ascend. In a random order, values that were neighbors are n / 3
 /// places apart on average.
-std::string order_hint(std::span<const std::size_t> order) {
+Likely order_hint(std::span<const std::size_t> order) {
   const std::size_t n = order.size();
   if (n < 10000) return {};
   std::size_t ascents = 0;
@@ -58,8 +59,11 @@ std::string order_hint(std::span<const std::size_t> order) {
   const auto size = static_cast<double>(n);
   const double share = static_cast<double>(ascents) / size;
   if (ascents + 1 == n) return {};
-  if (share > 0.6) return "equal keys stay in order: even 16-bit random numbers are too short";
-  return apart / size > size / 10 ? "" : "neighbors stay near each other: do not shuffle in blocks";
+  if (share > 0.6)
+    return "equal keys stay in order: even 16-bit random numbers are too short"_likely;
+  return apart / size > size / 10
+             ? Likely{}
+             : "neighbors stay near each other: do not shuffle in blocks"_likely;
 }
 
 }  // namespace
@@ -78,9 +82,9 @@ void expect_fine_choices(const Permutations& orders, Randomness claim, Rng& rng)
       products += ((v << 16) + left - 1) / left * left < (v + 1) << 16 ? 1u : 0u;
       rests += v >> 16 == 0 ? 1u : 0u;
     }
-    claim.explain = [&]() -> std::string {
+    claim.explain = [&]() -> Likely {
       if (10 * std::max(products, rests) < 9 * numbers.values.size()) return order_hint(orders[0]);
-      return "16-bit random numbers are too short to choose among so many values";
+      return "16-bit random numbers are too short to choose among so many values"_likely;
     };
     expect_independent_uniforms(numbers, claim, true);
     for (std::size_t k = 0; k < n; ++k) inverse[order[k]] = k;
@@ -101,8 +105,8 @@ void expect_random_permutations(const Permutations& orders, const Randomness& cl
   const bool are_equal =
       !later.empty() && std::equal(later.begin(), later.end(), orders.values.begin());
   of_numbers.explain = [&] {
-    const std::string hint = are_equal ? claim.repeated : order_hint(orders[0]);
-    const bool is_known = !hint.empty() || orders.n > 5 || orders.size() < 10000;
+    const Likely hint = are_equal ? claim.repeated : order_hint(orders[0]);
+    const bool is_known = hint != Likely{} || orders.n > 5 || orders.size() < 10000;
     return is_known ? hint : shuffle_hint(orders.values, orders.n);
   };
   Uniforms signs{orders.call + ", the signs of the products of three permutations", 1};

@@ -7,11 +7,11 @@ namespace mc::checks {
 namespace {
 
 const std::string fair = "each of the remaining values must be equally likely to come next";
-const std::string always_same =
-    "the permutation is always the same: draw it from the given generator";
+const Likely always_same =
+    "the permutation is always the same: draw it from the given generator"_likely;
 
 Randomness random_orders(const std::string& words, const std::string& rule,
-                         const std::string& repeated) {
+                         const Likely& repeated) {
   return {.words = words, .alpha = alpha, .rule = rule, .repeated = repeated};
 }
 
@@ -96,7 +96,8 @@ CHECK_CASE("3.4 every pair of dimensions is a jittered grid",
   }
   expect_fresh(padded(64, 5, 2, rng), padded(64, 5, 1, rng), padded_patterns(64, 5));
   Randomness claim = random_jitters("3.4");
-  claim.same = "one pattern is used for several pairs of dimensions: make a new one for each";
+  claim.same =
+      "one pattern is used for several pairs of dimensions: make a new one for each"_likely;
   for (const auto& [n, dims] : {std::pair<std::size_t, std::size_t>{4, 5}, {6, 9}, {6, 1}}) {
     expect_independent_uniforms(
         jitters_of(padded(n, dims, 2000, rng), padded_patterns(n, dims), pattern_of_each), claim);
@@ -108,7 +109,7 @@ CHECK_CASE("3.4 patterns are shuffled independently", "[3.4][points:4][needs:3.2
       "the permutations of two patterns of 3.4 are independent",
       "each point of a pattern must be equally likely to be combined with any point of another: "
       "shuffle all points of each pattern, x and y together, each pattern separately",
-      "the patterns are always combined in the same way: shuffle each one separately");
+      "the patterns are always combined in the same way: shuffle each one separately"_likely);
   for (const auto& [n, dims, sets] :
        {Sizes{30, 27, 350}, {4, 5, 5000}, {64, 8, 1000}, {10000, 5, 1}}) {
     expect_random_permutations(
@@ -118,8 +119,8 @@ CHECK_CASE("3.4 patterns are shuffled independently", "[3.4][points:4][needs:3.2
 }
 
 CHECK_CASE("3.4 the first n of N are a fair sample", "[3.4][points:2][needs:3.2][needs:3.3]") {
-  const std::string shuffled_too =
-      "shuffle the first pattern too, for an estimate that stops early";
+  const Likely shuffled_too =
+      "shuffle the first pattern too, for an estimate that stops early"_likely;
   for (const auto& [n, dims, sets] :
        {Sizes{4, 5, 2000}, {4, 2, 5000}, {4, 1, 2000}, {30, 3, 500}, {30, 9, 500}, {10000, 2, 1}}) {
     const auto patterns = padded_patterns(n, dims);
@@ -128,9 +129,10 @@ CHECK_CASE("3.4 the first n of N are a fair sample", "[3.4][points:2][needs:3.2]
     for (std::size_t k = 0; k < orders.size(); k += patterns.size()) {
       stays = stays && std::equal(orders[k].begin(), orders[k].end(), orders[0].begin());
     }
-    const std::string hint = stays && sets > 1 ? shuffled_too : "shuffle each pattern separately";
+    const Likely first = stays && sets > 1 ? shuffled_too : Likely{};
+    const std::string rule = stays && sets > 1 ? first.text : "shuffle each pattern separately";
     expect_random_permutations(
-        orders, random_orders("the cells of a pattern of 3.4 come in random order", hint, hint),
+        orders, random_orders("the cells of a pattern of 3.4 come in random order", rule, first),
         rng);
   }
   // With strata drawn without replacement, (N-n)/(N-1) of the variance between them remains.
@@ -161,7 +163,7 @@ Permutations shuffled(std::size_t n, std::size_t times, std::uint64_t seed) {
       if (static_cast<double>(number) != value || taken[number]) {
         fail(Failure{fmt::format("{}: {} occurs twice, or is not an input value", got.call, value),
                      "the same values in another order", "",
-                     "a shuffle swaps values; it does not copy one over another"});
+                     "a shuffle swaps values; it does not copy one over another"_likely});
       }
       taken[number] = true;
       orders.values.push_back(number);

@@ -89,12 +89,13 @@ CHECK_CASE("3.8 the error bar is the spread of the replicates", "[3.8][points:3]
         .exact = {exact},
         .tolerance = {is_far ? 1e-7 * exact : rounding},
         .because = "s / sqrt(replicates), with the standard deviation s of the replicates' means",
-        .suspects = {{{exact * std::sqrt(r)},
-                      "this is the standard deviation of one mean: divide it by sqrt(replicates)"},
-                     {{std::sqrt(squared_deviations(means)) / r},
-                      "this divides by replicates; a sample variance divides by replicates - 1"},
-                     {{exact / std::sqrt(size)},
-                      "this divides by sqrt(n * replicates): divide by sqrt(replicates)"}},
+        .suspects =
+            {{{exact * std::sqrt(r)},
+              "this is the standard deviation of one mean: divide it by sqrt(replicates)"_likely},
+             {{std::sqrt(squared_deviations(means)) / r},
+              "this divides by replicates; a sample variance divides by replicates - 1"_likely},
+             {{exact / std::sqrt(size)},
+              "this divides by sqrt(n * replicates): divide by sqrt(replicates)"_likely}},
         .rule =
             "compute the variance with lab 1, from the replicates' means: E{X^2} - E{X}^2 "
             "cancels",
@@ -102,7 +103,7 @@ CHECK_CASE("3.8 the error bar is the spread of the replicates", "[3.8][points:3]
     if (data.dims == 1) {
       comparison.suspects.push_back(
           {{std::sqrt(squared_deviations(data.values) / (size * r - 1) / (size * r))},
-           "this is s / sqrt(n) over all points, as if they were independent"});
+           "this is s / sqrt(n) over all points, as if they were independent"_likely});
     }
     expect_each({got.call + ".standard_error", std::span(&bar, 1)}, comparison);
   }

@@ -135,12 +135,11 @@ std::optional<Failure> test_lags(const Uniforms& numbers, const Randomness& clai
                          apart, in_rows ? "replicate" : "number", apart == 1 ? "" : "s");
     };
     const double many = pairs * pairs / 16;
-    family.add(
-        p_of_resultant(std::norm(difference), pairs), false, describe,
-        std::norm(difference) > many ? "many such numbers differ by nearly the same amount" : "");
-    family.add(
-        p_of_resultant(std::norm(sum), pairs), false, describe,
-        std::norm(sum) > many ? "many such numbers are nearly mirror images, u and 1 - u" : "");
+    family.add(p_of_resultant(std::norm(difference), pairs), false, describe);
+    family.add(p_of_resultant(std::norm(sum), pairs), false, describe,
+               std::norm(sum) > many
+                   ? "many such numbers are nearly mirror images, u and 1 - u"_likely
+                   : Likely{});
     family.add(pairs >= 50 * static_cast<double>(side * side) ? p_of_counts(counts) : 1, false,
                describe);
   }
@@ -181,8 +180,11 @@ std::optional<Failure> dependence_in(const Uniforms& numbers, const Randomness& 
                                      bool only_each) {
   for (const double u : numbers.values) {
     if (u >= 0 && u < 1) continue;
-    return Failure{fmt::format("{}: a random number is {}", numbers.call, u), "numbers in [0, 1)",
-                   claim.words, claim.rule};
+    return Failure{fmt::format("{}: a random number is {}", numbers.call, u),
+                   "numbers in [0, 1)",
+                   claim.words,
+                   {},
+                   claim.rule};
   }
   const auto pairs = compared_pairs(numbers.positions);
   const bool has_replicates = numbers.replicates() >= 100;
@@ -241,13 +243,14 @@ std::uint64_t multiples_in(const Uniforms& numbers, double width) {
 
 }  // namespace
 
-std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
+Likely visible_fault(const Uniforms& numbers, const Randomness& claim) {
   const auto [low, high] = std::ranges::minmax_element(numbers.values);
   const double width = battery::width_of_equal(numbers);
-  const std::string and_repeated = claim.repeated.empty() ? "" : "; " + claim.repeated;
+  const std::string& repeated = claim.repeated.text;
+  const std::string and_repeated = repeated.empty() ? "" : "; " + repeated;
   if (*high - *low < 1e-6) {
-    return fmt::format("every number is {:.3g}: draw a new random number for each{}", *low,
-                       and_repeated);
+    return likely("every number is {:.3g}: draw a new random number for each{}", *low,
+                  and_repeated);
   }
   const std::size_t replicates = numbers.replicates(), positions = numbers.positions;
   for (std::size_t p = 0; p < positions && positions > 1 && replicates >= 20; ++p) {
@@ -256,19 +259,19 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
       is_constant = std::abs(numbers.values[r * positions + p] - numbers.values[p]) < width;
     }
     if (is_constant) {
-      return fmt::format(
+      return likely(
           "{} has the same random number, {:.4g}, in every set: draw it from the given generator{}",
           battery::name_of(numbers, p), numbers.values[p], and_repeated);
     }
   }
   if (const auto bits = grid_of(numbers); bits && *bits > 0) {
-    return fmt::format("the random numbers have too few bits: only {} of 53{}", *bits,
-                       *bits > 20 ? "; compute in double" : "");
+    return likely("the random numbers have too few bits: only {} of 53{}", *bits,
+                  *bits > 20 ? "; compute in double" : "");
   }
   if (const std::uint64_t m = multiples_in(numbers, width); m > 0) {
-    return fmt::format("the random numbers are multiples of 1/{}: use 53 bits of a random word", m);
+    return likely("the random numbers are multiples of 1/{}: use 53 bits of a random word", m);
   }
-  const std::string from_one = claim.same.empty() ? "draw a random number for each" : claim.same;
+  const std::string& same = claim.same.text;
   if (positions > 1 && replicates >= 20) {
     for (const auto& [p, q] : battery::compared_pairs(positions)) {
       for (const int sign : {-1, 1}) {
@@ -279,20 +282,18 @@ std::string visible_fault(const Uniforms& numbers, const Randomness& claim) {
           always = std::abs(std::remainder(off, 1.0)) <= 4 * width;
         }
         if (!always) continue;
-        return fmt::format("{} and {} {} one random number: {}", battery::name_of(numbers, p),
-                           battery::name_of(numbers, q), sign < 0 ? "share" : "are u and 1 - u of",
-                           from_one);
+        return likely("{} and {} share one random number{}: {}", battery::name_of(numbers, p),
+                      battery::name_of(numbers, q), sign < 0 ? "" : ", as u and 1 - u",
+                      same.empty() ? "draw a random number for each" : same);
       }
     }
   }
   if (10 * battery::repeats_in(numbers.values, width) > numbers.values.size()) {
-    return claim.repeated.empty() ? "random numbers are used repeatedly: draw a new one each time"
-                                  : claim.repeated;
+    return claim.repeated;
   }
   const auto n = static_cast<double>(numbers.values.size());
   if (n * std::max(*low, 1 - *high) > 40) {
-    return fmt::format("the numbers cover only [{:.4g}, {:.4g}]: u is uniform in [0, 1)", *low,
-                       *high);
+    return likely("the numbers cover only [{:.4g}, {:.4g}]: u is uniform in [0, 1)", *low, *high);
   }
   return {};
 }

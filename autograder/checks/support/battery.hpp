@@ -41,17 +41,17 @@ struct Uniforms {
 };
 
 struct Randomness {
-  std::string words;          ///< the null hypothesis: "the points of 3.1 are uniform"
-  double alpha = 1e-8;        ///< of the whole battery; a lab has at most 80 such tests
-  std::string rule;           ///< the hint if the numbers do not show what is wrong
-  std::string repeated = {};  ///< the hint if numbers repeat
-  std::string same = {};      ///< the hint if one position is a function of another
+  std::string words;     ///< the null hypothesis: "the points of 3.1 are uniform"
+  double alpha = 1e-8;   ///< of the whole battery; a lab has at most 80 such tests
+  std::string rule;      ///< the hint if the numbers do not show what is wrong
+  Likely repeated = {};  ///< the hint if numbers repeat
+  Likely same = {};      ///< the hint if one position is a function of another
   /// What the program should have done, if the numbers are not its own but computed from its
   /// result: then patterns in the numbers give no hint.
   std::string expected = {};
   bool is_certain = false;  ///< print `rule`, whatever the numbers show
   /// Computes the hint if that takes long or needs more than the numbers; empty if there is none.
-  std::function<std::string()> explain = {};
+  std::function<Likely()> explain = {};
 };
 
 /// The numbers, at least 200, are uniform and independent. `only_each` skips the tests of
@@ -65,6 +65,6 @@ std::optional<Failure> dependence_in(const Uniforms& numbers, const Randomness& 
 
 /// A visible fault of numbers that should be independent and uniform: constant, too few bits,
 /// repeated, one position a function of another, a part of [0, 1) only. Empty if there is none.
-std::string visible_fault(const Uniforms& numbers, const Randomness& claim);
+Likely visible_fault(const Uniforms& numbers, const Randomness& claim);
 
 }  // namespace mc::checks

@@ -201,7 +201,8 @@ std::optional<Failure> test_bit_pairs(const Uniforms& numbers, const Randomness&
     };
     const bool is_shared = p != q && (equal == 0 || equal == replicates);
     family.add(binomial_tails(equal, replicates, 0.5).two_sided(), false, describe,
-               is_shared ? "two numbers share bits of one word: make each from a new one" : "");
+               is_shared ? "two numbers share bits of one word: make each from a new one"_likely
+                         : Likely{});
   };
   for (const auto& [p, q] : pairs) {
     for (std::size_t k = 0; k < first; ++k) compare(p, k, q, k);

@@ -38,7 +38,7 @@ class Family {
   /// `describe` returns what was measured, if the test fails. `hint` is for numbers without another
   /// visible fault.
   template <class Describe>
-  void add(double p, bool is_continuous, Describe describe, const char* hint = "") {
+  void add(double p, bool is_continuous, Describe describe, const Likely& hint = {}) {
     if (count_++ == chosen_ && is_continuous) {
       record(protocol::RecordKind::p_value,
              protocol::text_of({claim_.words + ": " + part_, p, claim_.alpha / parts}));
@@ -59,10 +59,12 @@ class Family {
            protocol::text_of({claim_.words + ": " + part_,
                               std::min(1.0, least_ * static_cast<double>(size_)),
                               claim_.alpha / parts}));
-    std::string fault = claim_.explain ? claim_.explain() : "";
+    Likely fault = claim_.explain ? claim_.explain() : Likely{};
     const bool is_open = claim_.expected.empty() && !claim_.is_certain;
-    if (fault.empty() && is_open) fault = visible_fault(numbers_, claim_);
-    if (fault.empty() && is_open && !hint_.empty()) fault = hint_ + "; " + claim_.rule;
+    if (fault == Likely{} && is_open) fault = visible_fault(numbers_, claim_);
+    if (fault == Likely{} && is_open && hint_ != Likely{}) {
+      fault.text = hint_.text + "; " + claim_.rule;
+    }
     return Failure{
         numbers_.call + ": " + measured_,
         claim_.expected.empty() ? "independent random numbers, uniform in [0, 1)" : claim_.expected,
@@ -77,7 +79,8 @@ class Family {
   const char* part_;
   std::size_t size_, chosen_, count_ = 0;
   double least_ = 1;
-  std::string measured_, hint_;
+  std::string measured_;
+  Likely hint_;
 };
 
 /// P(|sum of n independent random directions|^2 >= squared): Rayleigh's test, with the second-order

@@ -37,7 +37,7 @@ void replay() {
     fail(Failure{fmt::format("{} {}", calls[order[k]].call, what),
                  "the same result as from the first call of a process",
                  "a result depends on the arguments only, not on earlier calls",
-                 "a static or global variable keeps its value between calls"});
+                 "a static or global variable keeps its value between calls"_likely});
   };
   wire::Writer request;
   request.put(std::string());  // no experiment: a list of requests

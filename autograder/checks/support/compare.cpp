@@ -40,44 +40,24 @@ std::optional<double> common_factor(std::span<const double> got, std::span<const
 std::vector<Curve> generic_suspects(std::span<const double> got, const Comparison& comparison) {
   const std::span<const double> exact = comparison.exact;
   const std::size_t n = exact.size();
-  std::vector<Curve> all{
-      {each(exact, [](double x) { return static_cast<double>(static_cast<float>(x)); }),
-       "the values were rounded to float: keep them in double"},
-      {std::vector<double>(n, nan), "all values are NaN: never written, only added to, or 0/0"},
-      {std::vector<double>(n, 0.0), "all values are 0"},
-      {each(exact, [](double x) { return -x; }), "the sign is wrong"},
-      {each(exact, [](double x) { return x * x; }), "these are the squares"},
-      {each(exact, [](double x) { return std::sqrt(x); }), "these are the square roots"},
-      {each(exact, [](double x) { return 1 / x; }), "these are the reciprocals"},
-      {each(exact, [](double x) { return std::floor(x); }),
-       "the fraction is lost: by an integer division, or in an integer variable"}};
+  std::vector<Curve> all{{std::vector<double>(n, nan),
+                          "all values are NaN: never written, only added to, or 0/0"_likely},
+                         {std::vector<double>(n, 0.0), "all values are 0"_likely}};
   if (n < 3) return all;
-  const auto constant = [&](double value) { return std::abs(value - got[0]) <= 1e-12; };
-  if (std::ranges::all_of(got, constant)) {
-    all.push_back({std::vector<double>(n, got[0]), fmt::format("every value is {}", got[0])});
-  }
   if (const auto factor = common_factor(got, exact); factor && std::abs(*factor - 1) > 1e-6) {
     all.push_back({each(exact, [&](double x) { return *factor * x; }),
-                   fmt::format("all values are {:.6g} times as large as they should be", *factor)});
+                   likely("all values are {:.6g} times as large as they should be", *factor)});
   }
-  if (comparison.separate_calls) return all;
-  std::vector<double> later(exact.begin() + 1, exact.end()),
-      earlier(exact.begin(), exact.end() - 1);
-  later.push_back(got[n - 1]);
-  earlier.insert(earlier.begin(), got[0]);
-  all.push_back({later, "the values are shifted by one: value i + 1 is at index i"});
-  all.push_back({earlier, "the values are shifted by one: value i - 1 is at index i"});
-  all.push_back({{exact.rbegin(), exact.rend()}, "the values are in reverse order"});
+  if (comparison.separate_calls || !std::isnan(got[n - 1])) return all;
   std::vector<double> unwritten(exact.begin(), exact.end());
   unwritten[n - 1] = got[n - 1];
-  all.push_back({unwritten, std::isnan(got[n - 1]) ? "the last value was never written"
-                                                   : "only the last value is wrong"});
+  all.push_back({unwritten, "the last value was never written"_likely});
   return all;
 }
 
 /// The hint if all values beyond some limit became that limit.
-std::string limit_hint(std::span<const double> got, std::span<const double> exact,
-                       const Agreement& agreement) {
+Likely limit_hint(std::span<const double> got, std::span<const double> exact,
+                  const Agreement& agreement) {
   std::optional<double> limit;
   std::size_t wrong = 0, above = 0, right_above = 0, right_below = 0;
   for (std::size_t i = 0; i < got.size(); ++i) {
@@ -94,8 +74,8 @@ std::string limit_hint(std::span<const double> got, std::span<const double> exac
   const bool is_upper = above == wrong && right_above == 0;
   const bool is_lower = above == 0 && right_below == 0;
   if (wrong < 2 || right_above + right_below < 2 * wrong || !(is_upper || is_lower)) return {};
-  return fmt::format("no value is {} {}: something limits the values", is_upper ? "above" : "below",
-                     *limit);
+  return likely("no value is {} {}: something limits the values", is_upper ? "above" : "below",
+                *limit);
 }
 
 /// Whether the wrong values have the digits of a float, and most values are wrong: a float holds
@@ -123,8 +103,8 @@ std::optional<double> small_error(std::span<const double> got, std::span<const d
   return error < 1e-5 ? std::optional(error) : std::nullopt;
 }
 
-std::string hint_for(std::span<const double> got, const Comparison& comparison,
-                     const Agreement& agreement) {
+Likely hint_for(std::span<const double> got, const Comparison& comparison,
+                const Agreement& agreement) {
   const auto explains = [&](const Curve& curve) {
     if (curve.values.size() != got.size()) return false;
     bool differs = false;  // from the exact values: otherwise it is not a mistake
@@ -134,11 +114,11 @@ std::string hint_for(std::span<const double> got, const Comparison& comparison,
     }
     return differs;
   };
-  const auto only_one = [&](const std::vector<Curve>& curves) -> std::optional<std::string> {
-    std::optional<std::string> hint;
+  const auto only_one = [&](const std::vector<Curve>& curves) -> std::optional<Likely> {
+    std::optional<Likely> hint;
     for (const Curve& curve : curves) {
       if (!explains(curve)) continue;
-      if (hint && *hint != curve.hint) return "";  // two explanations
+      if (hint && *hint != curve.hint) return Likely{};  // two explanations
       hint = curve.hint;
     }
     return hint;
@@ -151,12 +131,13 @@ std::string hint_for(std::span<const double> got, const Comparison& comparison,
   }
   if (const auto hint = only_one(generic_suspects(got, comparison))) return *hint;
   if (comparison.is_tame && are_of_float(got, comparison.exact, agreement)) {
-    return "only about seven digits are correct, as in a float: use double everywhere";
+    return "only about seven digits are correct, as in a float: use double everywhere"_likely;
   }
-  if (auto limited = limit_hint(got, comparison.exact, agreement); !limited.empty()) return limited;
+  if (auto limited = limit_hint(got, comparison.exact, agreement); limited != Likely{})
+    return limited;
   if (const auto error = small_error(got, comparison.exact, agreement);
       error && comparison.is_tame) {
-    return fmt::format(
+    return likely(
         "almost right, with relative errors of up to {:.1g}: look for a difference of nearly equal "
         "numbers, a float, a rounded constant or a limit",
         *error);

@@ -16,13 +16,13 @@ namespace mc::checks {
 /// The value that a well-known mistake gives, and the hint if that value is measured.
 struct Suspect {
   double value;
-  std::string hint;
+  Likely hint;
 };
 
 /// The values that a well-known mistake gives for all inputs.
 struct Curve {
   std::vector<double> values;
-  std::string hint;
+  Likely hint;
 };
 
 template <class Inputs, class Function>

@@ -31,13 +31,15 @@ void expect_all_seeds(Rng& rng, double base, const std::string& level, Measureme
     const double apart = std::remainder(base * values[i] - values[i + 1], 1.0);
     is_next_digit = is_next_digit && std::abs(apart) < 1e-9;
   }
-  const std::string next_digit = fmt::format(
+  const Likely next_digit = likely(
       "with the next seed, scrambled 0 has the same digits, shifted by one place: seed + {0} is "
       "the same for (seed, {0} + 1) and (seed + 1, {0}); hash the seed before adding the {0}",
       level);
   const std::string rule = "numbers of similar seeds are independent: mix all 64 bits of the seed";
-  expect_independent_uniforms(row, {.words = "neighboring seeds give independent numbers",
-                                    .rule = is_next_digit ? next_digit : rule});
+  expect_independent_uniforms(
+      row, {.words = "neighboring seeds give independent numbers", .rule = rule, .explain = [&] {
+              return is_next_digit ? next_digit : Likely{};
+            }});
   Uniforms numbers = numbers_of(domain::seeds_by_bit(rng, 120), 2000, measure);
   numbers.positions = 65;
   numbers.name = [](std::size_t k) {
@@ -45,9 +47,10 @@ void expect_all_seeds(Rng& rng, double base, const std::string& level, Measureme
                   : fmt::format("the number of the seed with bit {} flipped", k - 1);
   };
   expect_independent_uniforms(
-      numbers, {.words = "all 64 bits of the seed count",
-                .rule = rule,
-                .same = "a bit of the seed has no effect; do not truncate the seed to 32 bits"});
+      numbers,
+      {.words = "all 64 bits of the seed count",
+       .rule = rule,
+       .same = "a bit of the seed has no effect; do not truncate the seed to 32 bits"_likely});
   Uniforms opposites = numbers_of(domain::seeds_and_opposites(rng, 300), 2000, measure);
   opposites.positions = 3;
   opposites.name = [](std::size_t k) {
@@ -55,9 +58,10 @@ void expect_all_seeds(Rng& rng, double base, const std::string& level, Measureme
     return fmt::format("the number of the seed {}", names[k]);
   };
   expect_independent_uniforms(
-      opposites, {.words = "the seeds s, ~s and -s give independent numbers",
-                  .rule = rule,
-                  .same = "a seed s and ~s or -s give the same numbers: mix all bits of the seed"});
+      opposites,
+      {.words = "the seeds s, ~s and -s give independent numbers",
+       .rule = rule,
+       .same = "a seed s and ~s or -s give the same numbers: mix all bits of the seed"_likely});
 }
 
 }  // namespace mc::checks

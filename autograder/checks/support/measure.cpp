@@ -106,29 +106,21 @@ std::string assertion_in(const std::string& printed) {
   return fmt::format("the standard library found {} broken", what);
 }
 
-/// The report for a program that gave no answer: how it ended, and the usual causes.
-std::string report_of_end(const Call& call) {
+/// For a program that gave no answer: how it ended, and the usual causes.
+[[noreturn]] void fail_without_answer(const Call& call) {
   const sandbox::Outcome& outcome = call.outcome;
-  std::string because = assertion_in(outcome.printed), likely;
-  switch (outcome.end) {
-    case sandbox::End::over_limit:
-      likely =
-          "far more steps or memory than the header's cost allows, a loop that never ends for "
-          "these "
-          "arguments, or a negative size: as unsigned, -1 is 1.8e19";
-      break;
-    case sandbox::End::crashed:
-      likely = because.empty()
-                   ? "an index out of range, an integer division by zero, or infinite recursion"
-                   : "an index that is one too large, or an empty list where a value is needed";
-      break;
-    case sandbox::End::other:
-      break;
+  const std::string because = assertion_in(outcome.printed);
+  Likely cause;
+  if (outcome.end == sandbox::End::over_limit) {
+    cause =
+        "far more steps or memory than the header's cost allows, a loop that never ends for these "
+        "arguments, or a negative size: as unsigned, -1 is 1.8e19"_likely;
+  } else if (outcome.end == sandbox::End::crashed) {
+    cause = because.empty()
+                ? "an index out of range, an integer division by zero, or infinite recursion"_likely
+                : "an index that is one too large, or an empty list where a value is needed"_likely;
   }
-  auto report = fmt::format("measured  {} {}\nexpected  an answer", call.text, outcome.failure);
-  if (!because.empty()) report += "\nbecause   " + because;
-  if (!likely.empty()) report += "\nlikely    " + likely;
-  return report;
+  fail(Failure{call.text + ' ' + outcome.failure, "an answer", because, cause});
 }
 
 }  // namespace
@@ -196,7 +188,7 @@ Call ask(std::string_view experiment, std::string call, std::function<std::strin
 
 void require_value(const Call& call) {
   const sandbox::Outcome& outcome = call.outcome;
-  if (!outcome.answered) fail(report_of_end(call));
+  if (!outcome.answered) fail_without_answer(call);
   switch (outcome.status) {
     case wire::Status::value:
       return;
@@ -210,7 +202,9 @@ void require_value(const Call& call) {
               "{} threw std::{}: {}", call.text,
               outcome.status == wire::Status::out_of_range ? "out_of_range" : "invalid_argument",
               outcome.bytes),
-          "a value: these arguments are valid", "", "",
+          "a value: these arguments are valid",
+          "",
+          {},
           "find the condition that refuses them: it may overflow, be rounded or be off by one"});
     case wire::Status::other_exception:
       fail(fmt::format("measured  {} threw {}\nexpected  a value", call.text, outcome.bytes));

@@ -32,26 +32,28 @@ bool has_word(std::string_view text, std::string_view word) {
 }  // namespace
 
 void expect_refused(const std::vector<InvalidCall>& calls) {
-  for (const auto& [call, argument, because, hint] : calls) {
+  for (const auto& [call, argument, because, rule] : calls) {
     if (is_refused(call)) continue;
     const auto& outcome = call.outcome;
     if (outcome.answered && outcome.status == wire::Status::todo) require_value(call);
     const bool is_value = outcome.answered && outcome.status == wire::Status::value;
     const std::string threw =
         outcome.status == wire::Status::out_of_range ? "std::out_of_range: " : "";
-    fail(Failure{fmt::format("{} {}", call.text,
-                             is_value           ? "returned a value"
-                             : outcome.answered ? "threw " + threw + outcome.bytes
-                                                : outcome.failure),
-                 "std::invalid_argument", because,
-                 is_value || !outcome.answered ? "" : "wrong type of exception: " + hint, hint});
+    fail(Failure{
+        fmt::format("{} {}", call.text,
+                    is_value           ? "returned a value"
+                    : outcome.answered ? "threw " + threw + outcome.bytes
+                                       : outcome.failure),
+        "std::invalid_argument", because,
+        is_value || !outcome.answered ? Likely{} : likely("wrong type of exception: {}", rule),
+        rule});
   }
   pass();
 }
 
 void expect_argument_named(const std::vector<InvalidCall>& calls) {
   bool any_refused = false;
-  for (const auto& [call, argument, because, hint] : calls) {
+  for (const auto& [call, argument, because, rule] : calls) {
     if (!is_refused(call)) continue;
     any_refused = true;
     const std::string& text = call.outcome.bytes;
@@ -59,7 +61,9 @@ void expect_argument_named(const std::vector<InvalidCall>& calls) {
     if (std::ranges::any_of(names, [&](auto name) { return has_word(text, name); })) continue;
     fail(Failure{fmt::format("{} threw std::invalid_argument(\"{}\")", call.text, text),
                  fmt::format("a message that names the argument: {}", fmt::join(names, " or ")),
-                 because, "name the wrong argument in the exception's message"});
+                 because,
+                 {},
+                 "name the wrong argument in the exception's message"});
   }
   if (!any_refused) expect_refused(calls);
   pass();

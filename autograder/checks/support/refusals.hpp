@@ -12,8 +12,8 @@ struct InvalidCall {
   Call call;             ///< of MEASURE_OUTCOME(...)
   std::string argument;  ///< its name, or alternatives: "x|y|size"
   std::string because;   ///< "six points do not fill nine cells"
-  /// The hint if the call returns a value.
-  std::string hint = "refuse this argument by std::invalid_argument, before computing anything";
+  /// The rule if the call returns a value.
+  std::string rule = "refuse this argument by std::invalid_argument, before computing anything";
 };
 
 /// Each call throws std::invalid_argument, with any message.

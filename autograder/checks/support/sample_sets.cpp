@@ -33,26 +33,25 @@ void require_in_cube(const std::string& call, const std::string& name, View x, s
   const auto is_nan = [](double value) { return std::isnan(value); };
   const auto is_in_turned_grid = [scale = static_cast<double>(other) / static_cast<double>(strata)](
                                      double value) { return value >= 0 && value * scale < 1; };
-  std::string likely;
+  Likely cause;
   if (std::ranges::all_of(x, is_nan)) {
-    likely = "all values are NaN: they were never written, or only added to (+=)";
+    cause = "all values are NaN: they were never written, or only added to (+=)"_likely;
   } else if (is_nan(*odd) && std::all_of(odd, x.end(), is_nan)) {
-    likely = fmt::format("the last {} of {} values were never written", x.size() - at, x.size());
+    cause = likely("the last {} of {} values were never written", x.size() - at, x.size());
   } else if (is_nan(*odd)) {
-    likely = "this value was never written, or is 0/0";
+    cause = "this value was never written, or is 0/0"_likely;
   } else if (*odd == 1) {
-    likely = "it was rounded up to 1: keep it below the upper edge of its stratum";
+    cause = "it was rounded up to 1: keep it below the upper edge of its stratum"_likely;
   } else if (other > 1 && std::ranges::all_of(x, is_in_turned_grid)) {
-    likely =
-        fmt::format("divided by {}, the strata of the other axis: nx and ny are swapped", other);
+    cause = likely("divided by {}, the strata of the other axis: nx and ny are swapped", other);
   } else if (are_undivided(x, strata)) {
-    likely = fmt::format("divide by the number of strata, {}", strata);
+    cause = likely("divide by the number of strata, {}", strata);
   }
   refuse(call,
          {fmt::format("gave {}[{}] = {}", name, at, *odd),
           *odd == 1 ? "numbers in [0, 1): the upper faces of the unit cube do not belong to it"
                     : "numbers in [0, 1)",
-          "", likely});
+          "", cause});
 }
 
 SampleSets sets_from_xy(std::string call, View x, View y, std::span<const std::uint64_t> sizes) {
@@ -134,9 +133,8 @@ void expect_fresh(const SampleSets& sets, const SampleSets& other_seed,
             "different points in each set and for each seed",
             "estimates are unbiased only if points are random",
             *high - *low < 1e-6
-                ? fmt::format("every point lies at {:.3g} of its stratum: choose a random place",
-                              *low)
-                : "the same numbers are used again: draw new ones from the given generator"});
+                ? likely("every point lies at {:.3g} of its stratum: choose a random place", *low)
+                : "the same numbers are used again: draw new ones from the given generator"_likely});
       }
     }
   }

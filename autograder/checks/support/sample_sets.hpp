@@ -99,19 +99,18 @@ inline std::vector<Pattern> lines_of(std::size_t n, std::size_t dims) {
 }
 
 /// The cell of each point of a set; ends the check if a cell does not have exactly one point.
-/// `elsewhere` is the hint if the points do not show what is wrong.
+/// `rule` is printed if the points do not show what is wrong.
 std::vector<std::size_t> expect_one_in_each_cell(const SampleSets& sets, std::size_t set,
-                                                 const Pattern& pattern,
-                                                 const std::string& elsewhere);
+                                                 const Pattern& pattern, const std::string& rule);
 
 /// The same for all sets and patterns.
 void expect_one_in_each_cell(const SampleSets& sets, std::span<const Pattern> patterns,
-                             const std::string& elsewhere);
+                             const std::string& rule);
 
 /// The positions of points within their cells, as independent uniform numbers: one replicate per
 /// set, one position per coordinate of each cell. Ends the check if a cell does not have one point.
 Uniforms jitters_of(const SampleSets& sets, std::span<const Pattern> patterns,
-                    const std::string& elsewhere);
+                    const std::string& rule);
 
 /// How many values occur in both lists.
 std::size_t common_values(View a, View b);

@@ -26,7 +26,7 @@ std::map<Order, double> chances_of_swaps_with_any(std::size_t n, bool backwards,
 
 }  // namespace
 
-std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n) {
+Likely shuffle_hint(std::span<const std::size_t> orders, std::size_t n) {
   const auto count = static_cast<double>(orders.size() / n);
   std::map<Order, double> found;
   Order stays(n);
@@ -43,20 +43,20 @@ std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n) {
   }
   for (std::size_t k = 0; k < n; ++k) {
     if (stays[k] == orders.size() / n) {
-      return fmt::format("value {} of 0 … {} never moves: shuffle all {} values", k, n - 1, n);
+      return likely("value {} of 0 … {} never moves: shuffle all {} values", k, n - 1, n);
     }
   }
   if (std::ranges::all_of(stays, [](std::size_t times) { return times == 0; })) {
-    return "no value ever keeps its place: a value may be swapped with itself (j from i on)";
+    return "no value ever keeps its place: a value may be swapped with itself (j from i on)"_likely;
   }
   if (rotations == orders.size() / n) {
-    return fmt::format(
+    return likely(
         "these are rotations: adding a random number gives only {} of the {}! permutations", n, n);
   }
   // If 50 of each are expected, one is missing with probability at most n! exp(-50).
   const double all = std::tgamma(static_cast<double>(n) + 1);
   if (static_cast<double>(found.size()) < all && count > 50 * all) {
-    return fmt::format("only {} of the {} permutations occur", found.size(), all);
+    return likely("only {} of the {} permutations occur", found.size(), all);
   }
   for (const unsigned way : {0u, 1u, 2u, 3u}) {
     const auto chances = chances_of_swaps_with_any(n, way % 2 == 1, way / 2 == 1);
@@ -67,7 +67,7 @@ std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n) {
     }
     if (chi_squared_tails(chi_squared, static_cast<double>(chances.size() - 1)).upper > 1e-8) {
       return "each value is swapped with any of the n values: swap it with itself or a later one "
-             "(j from i to n-1)";
+             "(j from i to n-1)"_likely;
     }
   }
   return {};

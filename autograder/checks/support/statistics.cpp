@@ -13,7 +13,7 @@ struct Outcome {
   std::string name;                    ///< of the statistic: "a mean"
 };
 
-std::string hint_for(const Outcome& outcome, const Interval& accepted, const Hints& hints) {
+Likely hint_for(const Outcome& outcome, const Interval& accepted, const Hints& hints) {
   const Suspect* found = nullptr;
   for (const Suspect& suspect : hints.suspects) {
     // As close to the suspect as a correct value to the expected one; relative to it if positive.
@@ -24,7 +24,7 @@ std::string hint_for(const Outcome& outcome, const Interval& accepted, const Hin
     if (found != nullptr && found->hint != suspect.hint) return {};  // ambiguous
     found = &suspect;
   }
-  return found == nullptr ? "" : found->hint;
+  return found == nullptr ? Likely{} : found->hint;
 }
 
 /// Records the p-value and returns it; ends the check if it is below alpha.

@@ -85,44 +85,45 @@ double moved_up(double x, std::size_t n) {
   return above < 1 && *stratum_of(above, n) != *stratum_of(x, n) ? above : x;
 }
 
-std::string hint_for(std::span<const Axis> axes, std::span<const std::size_t> points,
-                     const std::string& elsewhere) {
+Likely hint_for(std::span<const Axis> axes, std::span<const std::size_t> points,
+                const std::string& rule) {
   const std::size_t n = axes[0].values.size(), dims = axes.size();
   const auto each_axis = [&](auto holds) { return std::ranges::all_of(axes, holds); };
   if (n > 2 && points[0] == n) {
-    return dims == 1 ? "every point lies in the first stratum: i / N of two integers is 0"
-                     : "every point lies in cell (0, 0): i / nx of two integers is 0";
+    return dims == 1 ? "every point lies in the first stratum: i / N of two integers is 0"_likely
+                     : "every point lies in cell (0, 0): i / nx of two integers is 0"_likely;
   }
   if (are_right_when(axes, moved_down)) {
-    return "a point was rounded up to the edge: keep it below (i + 1) / N";
+    return "a point was rounded up to the edge: keep it below (i + 1) / N"_likely;
   }
   if (are_right_when(axes, moved_up)) {
-    return "a point was rounded down below the edge: divide by N, because 1 / N is rounded";
+    return "a point was rounded down below the edge: divide by N, because 1 / N is rounded"_likely;
   }
-  if (dims == 1) return elsewhere;
+  if (dims == 1) return {};
   // A few points fit by chance, a dozen only once in 1e4 runs.
   const Axis turned[] = {{"y", axes[1].values, axes[0].strata},
                          {"x", axes[0].values, axes[1].strata}};
   if (dims == 2 && n >= 12 && axes[0].strata != axes[1].strata && !cells_of(turned).empty()) {
-    return "nx and ny are swapped: nx cells along x, ny along y";
+    return "nx and ny are swapped: nx cells along x, ny along y"_likely;
   }
   if (dims == 2 && n >= 4 && each_axis([&](const Axis& axis) { return is_stratified(axis, n); })) {
-    return "two 1D patterns are not a 2D pattern, and x and y must be shuffled together";
+    return "two 1D patterns are not a 2D pattern, and x and y must be shuffled together"_likely;
   }
   if (n >= 12 && each_axis([](const Axis& axis) {
         return axis.strata > 1 && is_even(axis.values, axis.strata);
       })) {
-    return "each axis is evenly filled, but not each cell: " + elsewhere +
-           "; are the coordinates of a point moved together?";
+    return likely(
+        "each axis is evenly filled, but not each cell: {}; are the coordinates of a "
+        "point moved together?",
+        rule);
   }
-  return elsewhere;
+  return {};
 }
 
 }  // namespace
 
 std::vector<std::size_t> expect_one_in_each_cell(const SampleSets& sets, std::size_t set,
-                                                 const Pattern& pattern,
-                                                 const std::string& elsewhere) {
+                                                 const Pattern& pattern, const std::string& rule) {
   std::vector<Axis> axes;
   for (std::size_t i = 0; i < pattern.dims.size(); ++i) {
     const std::size_t d = pattern.dims[i];
@@ -151,13 +152,13 @@ std::vector<std::size_t> expect_one_in_each_cell(const SampleSets& sets, std::si
   fail(Failure{
       fmt::format("{}: {} points in {} ({})", sets.call, points[odd], name_of(axes, odd), names),
       "one point", "each cell has one point, in any order; edges are i / n, divided in double",
-      hint_for(axes, points, elsewhere)});
+      hint_for(axes, points, rule), rule});
 }
 
 void expect_one_in_each_cell(const SampleSets& sets, std::span<const Pattern> patterns,
-                             const std::string& elsewhere) {
+                             const std::string& rule) {
   for (std::size_t set = 0; set < sets.size(); ++set) {
-    for (const Pattern& pattern : patterns) expect_one_in_each_cell(sets, set, pattern, elsewhere);
+    for (const Pattern& pattern : patterns) expect_one_in_each_cell(sets, set, pattern, rule);
   }
 }
 

@@ -30,6 +30,6 @@ inline Grid squarest(std::size_t n) {
 }
 
 /// The well-known wrong shuffle that explains these permutations of n <= 5 values, if one does.
-std::string shuffle_hint(std::span<const std::size_t> orders, std::size_t n);
+Likely shuffle_hint(std::span<const std::size_t> orders, std::size_t n);
 
 }  // namespace mc::checks

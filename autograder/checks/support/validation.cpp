@@ -12,19 +12,20 @@ namespace mc::checks {
 void fail(const Failure& failure) {
   auto report = fmt::format("measured  {}\nexpected  {}", failure.measured, failure.expected);
   if (!failure.because.empty()) report += "\nbecause   " + failure.because;
-  if (!failure.likely.empty()) report += "\nlikely    " + failure.likely;
-  if (failure.likely.empty() && !failure.rule.empty()) report += "\nrule      " + failure.rule;
+  const std::string& likely = failure.likely.text;
+  if (!likely.empty()) report += "\nlikely    " + likely;
+  if (likely.empty() && !failure.rule.empty()) report += "\nrule      " + failure.rule;
   fail(report);
 }
 
 void expect_that(bool holds, const std::string& measured, const std::string& expected,
-                 const std::string& because, const std::string& rule, const std::string& likely) {
+                 const std::string& because, const std::string& rule, const Likely& likely) {
   if (!holds) fail(Failure{measured, expected, because, likely, rule});
   pass();
 }
 
 void expect_equal(const std::string& what, std::uint64_t got, std::uint64_t expected,
-                  const std::string& because, const std::string& rule, const std::string& likely) {
+                  const std::string& because, const std::string& rule, const Likely& likely) {
   expect_that(got == expected, fmt::format("{} = {}", what, got), fmt::format("{}", expected),
               because, rule, likely);
 }
@@ -46,15 +47,15 @@ void refuse(const std::string& call, const Failure& failure) {
 Failure wrong_size(const std::string& list, std::size_t size, std::size_t expected, bool or_less) {
   return {fmt::format("gave {} values{}", size, list.empty() ? "" : " in " + list),
           fmt::format("{}{} values", or_less ? "at most " : "", expected), "",
-          size == 0 ? "nothing was returned or filled in" : ""};
+          size == 0 ? "nothing was returned or filled in"_likely : Likely{}};
 }
 
 Failure wrong_value(const std::string& list, std::size_t index, double value, const Range& range) {
-  const std::string likely =
-      std::isnan(value) ? "this value was never written, or is 0/0"
+  const Likely likely =
+      std::isnan(value) ? "this value was never written, or is 0/0"_likely
       : value == range.high && range.below_high
-          ? "the upper end is not in the range: return at most the largest double below it"
-          : "";
+          ? "the upper end is not in the range: return at most the largest double below it"_likely
+          : Likely{};
   return {fmt::format("gave {}[{}] = {}", list, index, value), range.words, "", likely};
 }
 

@@ -10,18 +10,37 @@
 #include <string_view>
 #include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "runner/wire.hpp"
 
 namespace mc::checks {
 
+/// The cause of a failure that a report names. Written as "…"_likely or likely("… {}", x), which
+/// `self_test repository` finds: for each of these texts a recorded mistake has it in its "hint:".
+struct Likely {
+  Likely() = default;
+  explicit Likely(std::string words) : text(std::move(words)) {}
+  bool operator==(const Likely&) const = default;
+  std::string text;
+};
+inline Likely operator""_likely(const char* text, std::size_t size) {
+  return Likely({text, size});
+}
+template <class... T>
+Likely likely(fmt::format_string<T...> text, T&&... values) {
+  return Likely(fmt::format(text, std::forward<T>(values)...));
+}
+
 /// A failure report, which students read.
 struct Failure {
   std::string measured, expected;
   std::string because = {};  ///< the reason for the expected value or the bound
-  std::string likely = {};   ///< the hint: the mistake that explains what was measured
-  std::string rule = {};     ///< the hint if none does: what the answer must do
+  Likely likely = {};        ///< the mistake that explains what was measured
+  std::string rule = {};     ///< if no mistake does: what the answer must do
 };
 
 [[noreturn]] void fail(const Failure& failure);
@@ -32,13 +51,11 @@ void pass();
 
 /// `holds` is true; `expected` describes it in words.
 void expect_that(bool holds, const std::string& measured, const std::string& expected,
-                 const std::string& because, const std::string& rule,
-                 const std::string& likely = {});
+                 const std::string& because, const std::string& rule, const Likely& likely = {});
 
 /// A count is exact; `what` names it.
 void expect_equal(const std::string& what, std::uint64_t got, std::uint64_t expected,
-                  const std::string& because, const std::string& rule,
-                  const std::string& likely = {});
+                  const std::string& because, const std::string& rule, const Likely& likely = {});
 
 /// `got` is NaN: the result is undefined.
 void expect_nan(const std::string& what, double got, const std::string& because);

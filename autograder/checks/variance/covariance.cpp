@@ -102,15 +102,15 @@ void judge_pairs(const std::vector<Pairs>& all, const std::string& rule) {
     const double scale =
         std::hypot(sigma_x, mean_x) * sigma_y + std::hypot(sigma_y, mean_y) * sigma_x;
     const auto got = MEASURE(covariance, x, y);
-    covariances.add(
-        got.call, got.value, exact, 10 * n * eps * scale, [=]() -> std::vector<Suspect> {
-          return {{exact * (n - 1) / n,
-                   "this divides by n; a sample covariance divides by n - 1 (no integer division)"},
-                  {exact + mean_x * mean_y * n / (n - 1),
-                   "this is E{XY} n/(n-1): the means were not subtracted"},
-                  {exact / (sigma_x * sigma_y),
-                   "this is the correlation: do not divide by the standard deviations"}};
-        });
+    covariances.add(got.call, got.value, exact, 10 * n * eps * scale, [=]() -> std::vector<Suspect> {
+      return {
+          {exact * (n - 1) / n,
+           "this divides by n; a sample covariance divides by n - 1 (no integer division)"_likely},
+          {exact + mean_x * mean_y * n / (n - 1),
+           "this is E{XY} n/(n-1): the means were not subtracted"_likely},
+          {exact / (sigma_x * sigma_y),
+           "this is the correlation: do not divide by the standard deviations"_likely}};
+    });
   }
   covariances.expect(
       "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y; 1 digit of slack",

@@ -49,11 +49,10 @@ Moments shifted_sums(std::span<const double> x, double shift) {
   return {x.size(), shift + sum / n, squares - sum * sum / n};
 }
 
-std::string relative_to(const char* which) {
-  return fmt::format("these are sums relative to the {} value, which may be far from all others",
-                     which);
+Likely relative_to(const char* which) {
+  return likely("these are sums relative to the {} value, which may be far from all others", which);
 }
-const std::string large_numbers = "this has the rounding errors of E{X^2} - E{X}^2";
+const Likely large_numbers = "this has the rounding errors of E{X^2} - E{X}^2"_likely;
 
 /// The sums of squared deviations by other algorithms, correct and wrong.
 std::vector<Suspect> ways_to_m2(std::span<const double> x) {
@@ -78,15 +77,17 @@ std::vector<Suspect> ways_to_m2(std::span<const double> x) {
       {(squares / n - mean * mean) * n, large_numbers},
       {squares - sum * sum / n, large_numbers},
       {uncorrected,
-       "the mean was rounded: subtract (sum of deviations)^2 / n from the sum of squares"},
-      {welford, "this has the rounding errors of a running mean, as in 1.4"},
-      {from_old_means, "m2 grows by (x - old mean)(x - new mean); here the old mean is used twice"},
-      {from_new_means, "m2 grows by (x - old mean)(x - new mean); here the new mean is used twice"},
+       "the mean was rounded: subtract (sum of deviations)^2 / n from the sum of squares"_likely},
+      {welford, "this has the rounding errors of a running mean, as in 1.4"_likely},
+      {from_old_means,
+       "m2 grows by (x - old mean)(x - new mean); here the old mean is used twice"_likely},
+      {from_new_means,
+       "m2 grows by (x - old mean)(x - new mean); here the new mean is used twice"_likely},
       {shifted_sums(x, x.front()).m2, relative_to("first")},
       {shifted_sums(x, x.back()).m2, relative_to("last")},
       {shifted_sums(x, x[x.size() / 2]).m2, relative_to("middle")},
       {squares - n * whole * whole,
-       "the mean was added up in integers: start std::accumulate with 0.0"}};
+       "the mean was added up in integers: start std::accumulate with 0.0"_likely}};
 }
 
 }  // namespace
@@ -232,32 +233,34 @@ std::vector<Suspect> mean_suspects(const List& list) {
     ++count;
     restarted += restarted == 0 ? x : (x - restarted) / count;
   }
-  return {{restarted, "a mean of 0 was taken for no values yet: test the count"},
-          {integer_sum(list.x) / n,
-           "the sum is truncated to an integer at each step: start std::accumulate with 0.0"},
-          {mean * n / (n - 1), "this divides by n - 1; only a variance does"},
-          {list.x[0],
-           "the mean stays at the first value: 1 / count is an integer division, which gives 0"},
-          {n == 1 ? infinity : nan,
-           "the first value was divided by a count of 0: increment the count first"}};
+  return {
+      {restarted, "a mean of 0 was taken for no values yet: test the count"_likely},
+      {integer_sum(list.x) / n,
+       "the sum is truncated to an integer at each step: start std::accumulate with 0.0"_likely},
+      {mean * n / (n - 1), "this divides by n - 1; only a variance does"_likely},
+      {list.x[0],
+       "the mean stays at the first value: 1 / count is an integer division, which gives 0"_likely},
+      {n == 1 ? infinity : nan,
+       "the first value was divided by a count of 0: increment the count first"_likely}};
 }
 
 std::vector<Suspect> variance_suspects(const List& list) {
   std::vector<Suspect> all = ways_to_m2(list.x);
   const double n = list.exact.count, variance = list.exact.variance;
   for (Suspect& way : all) way.value /= n - 1;
-  all.insert(all.end(),
-             {{variance * (n - 1) / n, "this divides by n; a sample variance divides by n - 1"},
-              {variance * (n - 1) / n * std::floor(n / (n - 1)),
-               "n/(n-1) was an integer division, which gives 1, or 2 for two values"},
-              {std::sqrt(variance), "this is the standard deviation: the variance is its square"}});
+  all.insert(
+      all.end(),
+      {{variance * (n - 1) / n, "this divides by n; a sample variance divides by n - 1"_likely},
+       {variance * (n - 1) / n * std::floor(n / (n - 1)),
+        "n/(n-1) was an integer division, which gives 1, or 2 for two values"_likely},
+       {std::sqrt(variance), "this is the standard deviation: the variance is its square"_likely}});
   return all;
 }
 
 std::vector<Suspect> m2_suspects(const List& list) {
   std::vector<Suspect> all = ways_to_m2(list.x);
   all.push_back({list.exact.variance * list.exact.count,
-                 "this is n times the sample variance: m2 is n - 1 times it"});
+                 "this is n times the sample variance: m2 is n - 1 times it"_likely});
   return all;
 }
 

@@ -90,7 +90,7 @@ Results variances_of(const std::vector<List>& lists, Measure measure, Floor floo
         [&list, value = got.value] {
           std::vector<Suspect> suspects = variance_suspects(list);
           suspects.push_back({value == 0 ? 0 : list.exact.variance,
-                              "small is not zero: use no (relative) threshold"});
+                              "small is not zero: use no (relative) threshold"_likely});
           return suspects;
         },
         list.x.size());

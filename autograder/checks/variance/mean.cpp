@@ -87,8 +87,9 @@ std::vector<Suspect> overflows(std::span<const double> x, double exact) {
   double sum = 0;
   for (const double value : x) sum += value;
   const bool is_below = sum < 0 && std::isinf(sum);
-  return {{sum / n, "the sum overflows although the mean does not: then compute a running mean"},
-          {is_below ? sum : exact, "a sum can also overflow to -inf: test for both infinities"}};
+  return {
+      {sum / n, "the sum overflows although the mean does not: then compute a running mean"_likely},
+      {is_below ? sum : exact, "a sum can also overflow to -inf: test for both infinities"_likely}};
 }
 
 }  // namespace

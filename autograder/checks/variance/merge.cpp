@@ -112,10 +112,10 @@ CHECK_CASE("1.5 merging parts with means of any size", "[1.5][edge][points:1]") 
 // What the cases above use ------------------------------------------------------------------------
 
 std::vector<Suspect> merged_mean_suspects(const Moments& a, const Moments& b) {
-  return {{(a.mean + b.mean) / 2, "the mean of two means is correct only for equal counts"},
+  return {{(a.mean + b.mean) / 2, "the mean of two means is correct only for equal counts"_likely},
           {a.mean,
            "this is the first part's mean alone: the weight n_b / n of the other part is an "
-           "integer division: 0"}};
+           "integer division: 0"_likely}};
 }
 
 std::vector<Suspect> merged_m2_suspects(const Moments& a, const Moments& b, double mean) {
@@ -124,15 +124,16 @@ std::vector<Suspect> merged_m2_suspects(const Moments& a, const Moments& b, doub
   const std::uint64_t whole_product = a.count * b.count, count = a.count + b.count;
   return {
       {within,
-       "parts with different means vary between each other: add (mean_b - mean_a)^2 n_a n_b / n"},
+       "parts with different means vary between each other: add (mean_b - mean_a)^2 n_a n_b / n"_likely},
       {a.m2 + n_a * (a.mean - mean) * (a.mean - mean) +  //
            b.m2 + n_b * (b.mean - mean) * (b.mean - mean),
-       "both parts were measured from the merged mean, which is rounded: use mean_b - mean_a"},
+       "both parts were measured from the merged mean, which is rounded: use mean_b - mean_a"_likely},
       {within + apart * apart * static_cast<double>(whole_product) / n,
-       "the counts were multiplied as 64-bit integers, and overflowed: multiply doubles"},
+       "the counts were multiplied as 64-bit integers, and overflowed: multiply doubles"_likely},
       {within + apart * apart * (count == 0 ? 0 : static_cast<double>(whole_product / count)),
-       "n_a n_b / n was an integer division, which truncates: divide doubles"},
-      {within + std::abs(apart) * n_a * n_b / n, "the distance of the means must be squared"}};
+       "n_a n_b / n was an integer division, which truncates: divide doubles"_likely},
+      {within + std::abs(apart) * n_a * n_b / n,
+       "the distance of the means must be squared"_likely}};
 }
 
 void judge_merges(const std::vector<Parts>& all, const std::string& rule, double scale) {
@@ -148,8 +149,8 @@ void judge_merges(const std::vector<Parts>& all, const std::string& rule, double
     expect_equal(got.call + ".count", got.value.count, a.count + b.count, "",
                  "add the counts as 64-bit integers",
                  got.value.count == a.count || got.value.count == b.count
-                     ? "one part was left out: a part is empty only if its count is 0"
-                     : "");
+                     ? "one part was left out: a part is empty only if its count is 0"_likely
+                     : ""_likely);
     means.add(got.call + ".mean", got.value.mean, mean,
               16 * eps * scale * std::max(std::abs(a.mean), std::abs(b.mean)) + last_bits,
               [=] { return merged_mean_suspects(part_a, part_b); });

@@ -47,7 +47,7 @@ CHECK_CASE("1.4 the variance of moments", "[1.4][points:2]") {
     const double exact = m2 / static_cast<double>(count - 1);
     const auto got = MEASURE(variance_of, {count, uniform(rng, -9, 9), m2});
     variances.add_digits(got.call, got.value, exact, 14.5, [=]() -> std::vector<Suspect> {
-      return {{m2 / n, "this divides by n; a sample variance divides by n - 1"}};
+      return {{m2 / n, "this divides by n; a sample variance divides by n - 1"_likely}};
     });
   };
   // A different neighbor of each power of two.
@@ -98,13 +98,13 @@ CHECK_CASE("1.4 Welford on constant data and hard cases", "[1.4][points:3]") {
 }
 
 CHECK_CASE("1.4 one more value after very many", "[1.4][edge][points:2]") {
-  const std::string unsigned_count = "count is an unsigned 64-bit integer: do not convert it";
-  const std::pair<int, std::string> ends[] = {{24, "a float counts only to 2^24"},
-                                              {31, "an int counts only to 2^31"},
-                                              {32, "32 bits count only to 2^32"},
-                                              {53, "a double counts only to 2^53"},
-                                              {62, unsigned_count},
-                                              {63, unsigned_count}};
+  const Likely unsigned_count = "count is an unsigned 64-bit integer: do not convert it"_likely;
+  const std::pair<int, Likely> ends[] = {{24, "a float counts only to 2^24"_likely},
+                                         {31, "an int counts only to 2^31"_likely},
+                                         {32, "32 bits count only to 2^32"_likely},
+                                         {53, "a double counts only to 2^53"_likely},
+                                         {62, unsigned_count},
+                                         {63, unsigned_count}};
   // Just before the limit of exact counting in a type, and past it, where odd counts are lost.
   for (const auto& [bits, hint] : ends) {
     const std::uint64_t power = std::uint64_t{1} << bits;
@@ -115,13 +115,13 @@ CHECK_CASE("1.4 one more value after very many", "[1.4][edge][points:2]") {
       const double x = static_cast<double>(count) * uniform(rng, 1, 2);
       const ExactMoments exact = exact_merge(many, {1, x, 0});
       const auto got = MEASURE(stream, many, {x}, 1);
-      expect_equal(got.call + ".count", got.value.count, count + 1, "one more value was added",
+      expect_equal(got.call + ".count", got.value.count, count + 1, "one more value was added", "",
                    hint);
       // A float keeps seven digits; a count that wrapped around changes all of them.
       Results values;
       values.add_digits(got.call + ".mean", got.value.mean, static_cast<double>(exact.mean), 9);
       values.add_digits(got.call + ".m2", got.value.m2, static_cast<double>(exact.m2), 9);
-      values.expect("a correct count keeps all digits; nine are required here", hint);
+      values.expect("a correct count keeps all digits; nine are required here", hint.text);
     }
   }
 }

@@ -1,10 +1,13 @@
 // The repository itself: every lab has consistent task numbers, and its points sum to 100.
 
+#include <algorithm>
 #include <cctype>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -72,10 +75,58 @@ void compare_questions(const Layout& layout, const Lab& lab) {
   }
 }
 
+/// The lines of all files in a folder that begin with this, without it.
+std::vector<std::string> lines_with(const std::string& start, const fs::path& folder) {
+  std::vector<std::string> found;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".cpp") continue;
+    std::istringstream lines(read_text(entry.path()));
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with(start)) found.push_back(line.substr(start.size()));
+    }
+  }
+  return found;
+}
+
+/// A report names a cause ("…"_likely, likely("… {}", x)) only if a recorded mistake has it: its
+/// comment quotes the text, or a part of it. Compared is the longest part between placeholders.
+void compare_likely(const fs::path& checks, const std::vector<std::string>& quotes) {
+  static const std::regex text(R"((likely\(\s*)?((?:"(?:[^"\\\n]|\\.)*"\s*)+)(_likely)?)");
+  static const std::regex seams(R"("\s*")"), placeholder(R"(\{[^}]*\})");
+  for (const auto& entry : fs::recursive_directory_iterator(checks)) {
+    const std::string source = read_text(entry.path());
+    for (std::sregex_iterator at(source.begin(), source.end(), text), end; at != end; ++at) {
+      if (!(*at)[1].matched && !(*at)[3].matched) continue;
+      std::string words = std::regex_replace((*at)[2].str(), seams, "");
+      if (words.empty()) continue;  // operator""_likely
+      words = words.substr(1, words.rfind('"') - 1);
+      std::string longest;
+      std::sregex_token_iterator part(words.begin(), words.end(), placeholder, -1), last;
+      for (; part != last; ++part) {
+        if (part->length() > static_cast<long>(longest.size())) longest = *part;
+      }
+      const bool is_asserted = std::ranges::any_of(quotes, [&](const std::string& quote) {
+        constexpr std::size_t telling = 12;  // characters
+        return quote.find(longest) != std::string::npos ||
+               (quote.size() >= telling && words.find(quote) != std::string::npos);
+      });
+      if (!is_asserted) {
+        complain(fmt::format("{}: no mistake has the hint: {}", entry.path().string(), words));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void prove_repository() {
   const Layout layout = read_layout();
+  const fs::path submissions = layout.submissions(), judged = layout.root / "autograder" / "checks";
+  auto quotes = lines_with("// hint: ", submissions / "mistakes");
+  for (std::string& says : lines_with("// says: ", submissions / "attacks")) {
+    quotes.push_back(std::move(says));
+  }
+  compare_likely(judged / "support", quotes);
   for (const Lab& lab : find_labs(layout)) {
     const auto checks = expected_checks(layout, lab);
     std::set<std::string> tasks;
@@ -105,6 +156,7 @@ void prove_repository() {
         {layout.starter() / lab.file(), "TODO("},
         {layout.solutions() / lab.file(), "// "}};
     compare_questions(layout, lab);
+    compare_likely(judged / lab.name, lines_with("// hint: ", submissions / "mistakes" / lab.name));
     for (const std::string& task : tasks) {
       const auto hints = hints_for(layout, lab, task);
       if (hints.size() != 3) {

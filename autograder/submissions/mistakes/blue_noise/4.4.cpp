@@ -109,6 +109,12 @@ namespace mc::over_n_twice {
 CHANGED(p / n)
 }  // namespace mc::over_n_twice
 
+// mistake: rounds pi to ten digits
+// hint: almost right, with relative errors of up to
+namespace mc::pi_of_ten_digits {
+BY_WAVES(double, std::polar(1.0, -2 * 3.141592654 * turns))
+}  // namespace mc::pi_of_ten_digits
+
 // mistake: does not divide by the number of points
 // hint: divide by the number of points
 namespace mc::power_not_over_n {

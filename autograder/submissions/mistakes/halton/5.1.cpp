@@ -39,6 +39,16 @@ double radical_inverse(unsigned base, std::uint64_t index) {
 }
 }  // namespace mc::in_floats
 
+// mistake: calls itself for the remaining digits, even if there are none
+// hint: infinite recursion
+namespace mc::inverts_without_an_end {
+double radical_inverse(unsigned base, std::uint64_t index) {
+  require_base(base);
+  const double digit = static_cast<double>(index % base);
+  return (digit + radical_inverse(base, index / base)) / base;
+}
+}  // namespace mc::inverts_without_an_end
+
 // mistake: adds the largest terms first, so every sum is rounded near 1
 // hint: add the smallest terms first
 namespace mc::large_digits_first {
@@ -55,6 +65,7 @@ double radical_inverse(unsigned base, std::uint64_t index) {
 
 // mistake: mirrors the digits in 32 bits, which overflow
 // hint: the mirrored digits do not fit in 32 bits
+// hint: overflows; compute with a double from the highest digit on
 namespace mc::mirrors_in_32_bits {
 double radical_inverse(unsigned base, std::uint64_t index) {
   return mirrored_in<std::uint32_t, double>(base, index);
@@ -116,7 +127,7 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
 }  // namespace mc::rounds_to_one_in_a_loop
 
 // mistake: limits values to 1 - 1e-10
-// hint: no value is above 0.9999999999
+// hint: no value is above 0.9999999999: something limits the values
 namespace mc::limited {
 double radical_inverse(unsigned base, std::uint64_t index) {
   return std::min(1 - 1e-10, right_radical_inverse(base, index));

@@ -65,7 +65,7 @@ void random_shift(PointSet& points, Rng& rng) {
 }  // namespace mc::shift_without_wrapping
 
 // mistake: shifts by a random number of thousandths
-// hint: multiples of 1/1000
+// hint: the random numbers are multiples of 1/1000
 namespace mc::shifts_by_thousandths {
 void random_shift(PointSet& points, Rng& rng) {
   for (std::size_t d = 0; d < points.dims(); ++d) {

@@ -69,6 +69,7 @@ OWEN_SCRAMBLE {
 }  // namespace mc::laine_karras_2011
 
 // mistake: hashes seed + level: the next seed repeats the flips of the next level
+// hint: scrambled 0 has the same digits, shifted by one place
 // hint: seed + level is the same
 namespace mc::level_added_to_seed {
 OWEN_SCRAMBLE {

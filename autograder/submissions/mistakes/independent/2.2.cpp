@@ -57,6 +57,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng&) {
 
 // mistake: mirrors the previous point for every second one: the points are not independent
 // hint: no mirror image 1 - u
+// hint: nearly mirror images
 namespace mc::antithetic_points {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
   return mean_at(g, n, [&](std::uint64_t i, std::vector<double>& x) {
@@ -126,6 +127,7 @@ Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {
 }  // namespace mc::one_number_for_all
 
 // mistake: draws the point once, before the loop
+// hint: draw a new random number for each
 // hint: take new numbers from rng inside the loop
 namespace mc::one_point {
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng) {

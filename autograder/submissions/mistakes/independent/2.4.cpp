@@ -25,7 +25,7 @@ Estimate mean_weight(std::uint64_t n, Rng& rng, Weight weight) {
 }  // namespace mc
 
 // mistake: clamps weights at 1000 to reduce noise
-// hint: weights beyond 1000 are clamped
+// hint: weights beyond 1000 are clamped, which makes the estimate biased
 namespace mc::clamps_weights {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
   return mean_weight(n, rng, [&](double u) {
@@ -100,6 +100,7 @@ Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t
 
 // mistake: draws uniform points and weights them as if they had the density
 // hint: never called p.sample()
+// hint: nothing was returned
 namespace mc::samples_uniformly {
 Estimate estimate_importance(const Integrand& g, const Density& p, std::uint64_t n, Rng& rng) {
   return mean_weight(n, rng, [&](double u) {

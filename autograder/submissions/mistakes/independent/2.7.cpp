@@ -63,6 +63,7 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
 
 // mistake: divides by the distance, not by its square
 // hint: the distance is not squared
+// hint: all values are 0
 namespace mc::distance_not_squared {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
   return from_points(light, n, rng, [&](double distance2) {
@@ -96,6 +97,7 @@ Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng
 
 // mistake: omits the area of the light
 // hint: the area is missing
+// hint: times as large as they should be
 namespace mc::no_area {
 Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng) {
   return from_points(light, n, rng, [&](double distance2) {

@@ -48,13 +48,24 @@ void stratified_1d(std::span<double> x, Rng& rng) {
 }  // namespace mc::blocks_alike
 
 // mistake: puts the points at the centers of their strata
-// hint: every point lies at 0.5 of its stratum
+// hint: every point lies at 0.5 of its stratum: choose a random place
 namespace mc::centres {
 void stratified_1d(std::span<double> x, Rng&) {
   const auto n = static_cast<double>(x.size());
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = (static_cast<double>(i) + 0.5) / n;
 }
 }  // namespace mc::centres
+
+// mistake: keeps points below 1 only, so that others are rounded up to the edge of their stratum
+// hint: a point was rounded up to the edge
+namespace mc::clamps_the_last_point {
+void stratified_1d(std::span<double> x, Rng& rng) {
+  const auto n = static_cast<double>(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = std::min((static_cast<double>(i) + to_unit(rng())) / n, std::nextafter(1.0, 0.0));
+  }
+}
+}  // namespace mc::clamps_the_last_point
 
 // mistake: jitters with 8 random bits: 256 places in each stratum
 // hint: the random numbers have too few bits

@@ -12,6 +12,7 @@
 
 // mistake: shuffles with its own generator, always with the same seed
 // hint: draw it from the given generator
+// hint: permutations occur
 namespace mc::always_the_same_order {
 void shuffle(std::span<double> x, Rng& /*rng*/) {
   std::mt19937 mine;
@@ -127,7 +128,7 @@ void shuffle(std::span<double> x, Rng& rng) {
 }  // namespace mc::swaps_with_any
 
 // mistake: ends the loop one too early: the last value never moves
-// hint: never moves
+// hint: never moves: shuffle
 // hint: shuffle all values, including the last one
 namespace mc::the_last_one_stays {
 void shuffle(std::span<double> x, Rng& rng) {

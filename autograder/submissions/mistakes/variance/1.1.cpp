@@ -7,6 +7,16 @@
 #include "solutions/variance.cpp"
 #undef mean
 
+// mistake: starts the sum with the first value, which an empty list does not have
+// hint: an empty list where a value is needed
+namespace mc::mean_from_the_first_value {
+double mean(std::span<const double> x) {
+  double sum = x[0];
+  for (const double value : x.subspan(1)) sum += value;
+  return sum / static_cast<double>(x.size());
+}
+}  // namespace mc::mean_from_the_first_value
+
 // mistake: sums in a float
 // hint: only about seven digits are correct, as in a float
 // hint: a float overflows at 3.4e38

@@ -68,6 +68,14 @@ void add(Moments& moments, double x) {
 }
 }  // namespace mc::welford_counts_in_int
 
+// mistake: counts in a signed integer, which is negative from 2^63 on
+// hint: count is an unsigned 64-bit integer
+namespace mc::welford_counts_in_signed {
+void add(Moments& moments, double x) {
+  add_counting_in<std::int64_t>(moments, x);
+}
+}  // namespace mc::welford_counts_in_signed
+
 // mistake: divides by the count before this value
 // hint: the first value was divided by a count of 0: increment the count first
 namespace mc::welford_counts_late {

@@ -52,7 +52,7 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }  // namespace mc::dependence_of_all_cells
 
 // mistake: returns the largest p(x,y) - p(x)p(y), without the absolute value
-// hint: abs()
+// hint: abs() is missing
 namespace mc::dependence_one_sided {
 double dependence(std::span<const double> joint, std::size_t columns) {
   double largest = 0;
