@@ -63,7 +63,7 @@ TEST_CASE("the battery names what is visibly wrong, and detects what is not visi
       {"too few bits: only 24", each([](double x) { return std::floor(x * 0x1p24) * 0x1p-24; })},
       {"too few bits: only 32", each([](double x) { return std::floor(x * 0x1p32) * 0x1p-32; })},
       {"position 3 and position 15 share one random number", [](Row u, auto) { u[15] = u[3]; }},
-      {"u and 1 - u of one random number", [](Row u, auto) { u[15] = 1 - 0x1p-53 - u[3]; }},
+      {"share one random number, as u and 1 - u", [](Row u, auto) { u[15] = 1 - 0x1p-53 - u[3]; }},
       {"share one random number", [](Row u, auto) { u[7] = std::fmod(u[6] + 0.3, 1.0); }},
       {"position 15 has the same random number", [](Row u, auto) { u[15] = 0.25; }},
       {"",  // XOR with a constant

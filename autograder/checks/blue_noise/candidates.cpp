@@ -234,7 +234,8 @@ void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng, std::
   const Nearness parts = nearness(all, later_points(n), rows, rng);
   Randomness claim = best_of_candidates(
       "draw ceil(c i) + 1 new candidates, of two random numbers each, for point i, and keep the "
-      "one that is farthest from its nearest earlier point, also where cells of a grid find it");
+      "one that is farthest from its nearest earlier point, also where cells of a grid find it; "
+      "leave the points in this order");
   claim.explain = [&]() -> Likely {
     constexpr std::size_t more = 4000;
     if (n != 5) return {};

@@ -9,7 +9,9 @@
 namespace mc::checks {
 namespace {
 
-const std::string one_each = "use one permutation per position, whatever the other digits are";
+const std::string one_each =
+    "use one permutation per position, whatever the other digits and the other indices of the "
+    "column are";
 const std::string zeros_too = "the zeros after the last digit are digits, too: permute them";
 
 /// Each of n intervals has one of n consecutive values from a multiple of n on, at the same place.

@@ -12,7 +12,7 @@ CHECK_CASE("2.2 the estimate is the mean of its values", "[2.2][points:4][needs:
   for_all_sizes(1, {normal, exponential, product, five}, rng,
                 [&](std::uint64_t, const Trace& seen) { add_mean(means, seen); });
   add_mean(means, traced(fresh(many, rng), 100, rng));  // more coordinates than a fixed array has
-  judge_means(means, "g");
+  judge_means(means, "values of g");
   for (const double odd_one : {nan, infinity, -infinity}) {
     const Function g{exponential, 0, 1, odd_one};
     expect_not_finite(MEASURE(estimates, g, 9, rng(), 1));

@@ -179,7 +179,7 @@ void judge_weights(const std::vector<Case>& cases, Rng& rng) {
                "this is the standard error of g's values: the estimate is a mean of g / p"_likely}};
     });
   }
-  judge_means(means, "g / p");
+  judge_means(means, "values of g / p, where p is 0 or infinite 0");
   judge_errors(errors);
 }
 

@@ -54,9 +54,8 @@ void add_mean(Results& means, const Trace& seen, Results::FindSuspects suspects)
 }
 
 void judge_means(Results& means, const std::string& of) {
-  means.expect(
-      "n additions lose at most n eps of the sum of absolute values; one digit of slack",
-      "return the mean of all values of " + of + ", n in all: do not limit or leave out any");
+  means.expect("n additions lose at most n eps of the sum of absolute values; one digit of slack",
+               "return the mean of all " + of + ", n in all: do not limit or leave out any");
 }
 
 void add_error(Results& errors, const Trace& seen, Results::FindSuspects suspects) {

@@ -33,12 +33,14 @@ void check_columns(const std::string& kind, const SampleSets& got);
 
 CHECK_CASE("6.4 there are numbers for exactly N samples", "[6.4][edge][points:3]") {
   for (const std::string& kind : sampler_kinds) {
-    expect_contract(kind, {next,    next2,          advance, next,    generate(2, fresh_seed(rng)),
-                           next,    next2,          advance, next2,   next,
-                           advance, next,           next2,   advance, advance,
-                           next,    generate(1, 7), next,    advance, next},
-                    {"next() and next2() need a sample; advance() never throws",
-                     "next() and next2() have a counter each; advance() resets both"});
+    expect_contract(
+        kind, {next,    next2,          advance, next,    generate(2, fresh_seed(rng)),
+               next,    next2,          advance, next2,   next,
+               advance, next,           next2,   advance, advance,
+               next,    generate(1, 7), next,    advance, next},
+        {"next() and next2() need a sample; advance() never throws",
+         "a value belongs to its sample and its request, whatever was requested before: "
+         "next() and next2() have a counter each, which advance() resets"});
   }
 }
 

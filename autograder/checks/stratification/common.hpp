@@ -14,13 +14,12 @@ using Sets = SampleSets;
 constexpr double alpha = 4.5e-9;
 
 inline Randomness random_jitters(const std::string& task) {
-  return {
-      .words = "points are uniform in the cells of " + task + ", and independent",
-      .alpha = alpha,
-      .rule = "each point is (i + u) / n with its own u, uniform in [0, 1)",
-      .repeated =
-          "random numbers repeat: bits are missing, or blocks or streams begin in the same state"_likely,
-      .same = "draw one for every coordinate"_likely};
+  return {.words = "points are uniform in the cells of " + task + ", and independent",
+          .alpha = alpha,
+          .rule = "each point is (i + u) / n with its own u, uniform in [0, 1)",
+          .repeated =
+              "random numbers repeat: draw new ones for each point, set, block and stream"_likely,
+          .same = "draw one for every coordinate"_likely};
 }
 
 using IntoGrid = Call(std::uint64_t size_x, std::uint64_t size_y, Grid grid);

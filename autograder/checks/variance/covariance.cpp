@@ -20,7 +20,9 @@ CHECK_CASE("1.6 the covariance of pairs", "[1.6][main][points:4]") {
   for (const List& list : tame_lists(rng, 2, -1, 1))
     pairs.push_back(tame_pairs(rng, list.x.size()));
   pairs.push_back({pairs[0].x, pairs[0].x});  // the variance
-  judge_pairs(pairs, "sum (x - mean x)(y - mean y) and divide by n - 1");
+  judge_pairs(pairs,
+              "sum (x - mean x)(y - mean y) and divide by n - 1; if the means are updated value by "
+              "value, one of the two deviations is from the mean before the update");
 }
 
 CHECK_CASE("1.6 the covariance keeps its digits under large means", "[1.6][points:3][needs:1.1]") {

@@ -6,6 +6,7 @@
 #include "solutions/blue_noise.cpp"
 
 #include <algorithm>
+#include <cmath>
 #include <unordered_map>
 #undef best_candidate
 #undef poisson_disk

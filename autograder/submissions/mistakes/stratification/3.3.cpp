@@ -140,7 +140,7 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }  // namespace mc::same_numbers_in_the_timed_grid
 
 // mistake: runs four streams, each of which repeats the previous one a step later
-// hint: blocks or streams begin in the same state
+// hint: draw new ones for each point, set, block and stream
 namespace mc::streams_alike {
 void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   right_stratified_2d(x, y, grid, rng);
