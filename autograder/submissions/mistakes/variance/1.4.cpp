@@ -167,3 +167,11 @@ void add(Moments& moments, double x) {
   move_mean(moments, x, moments.mean == 0 ? x : (x - moments.mean) / count);
 }
 }  // namespace mc::mean_of_zero_is_empty
+
+// mistake: the variance of one value is 0
+// hint: a sample variance needs two values
+namespace mc::variance_of_one_is_zero {
+double variance(const Moments& moments) {
+  return moments.count < 2 ? 0 : right_variance(moments);
+}
+}  // namespace mc::variance_of_one_is_zero

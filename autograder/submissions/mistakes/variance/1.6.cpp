@@ -75,3 +75,11 @@ double covariance(std::span<const double> x, std::span<const double> y) {
   return products / static_cast<double>(x.size() - 1);
 }
 }  // namespace mc::covariance_without_means
+
+// mistake: the covariance of one pair is 0
+// hint: a sample covariance needs two pairs
+namespace mc::covariance_of_one_is_zero {
+double covariance(std::span<const double> x, std::span<const double> y) {
+  return x.size() == 1 && y.size() == 1 ? 0 : right_covariance(x, y);
+}
+}  // namespace mc::covariance_of_one_is_zero
