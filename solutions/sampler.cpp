@@ -220,12 +220,11 @@ constexpr Kind kinds[] = {{"independent", independent},
 
 class ColumnSampler final : public Sampler {
  public:
-  explicit ColumnSampler(const Kind& kind) : requested_kind_(kind) {}
+  explicit ColumnSampler(const Kind& kind) : kind_(&kind) {}
 
   void generate(std::size_t samples, std::uint64_t seed) override {
     if (samples == 0) throw std::invalid_argument("samples: must be positive");
     if (samples > most_samples) throw std::invalid_argument("samples: more than most_samples");
-    kind_ = samples == 1 ? &kinds[0] : &requested_kind_;  // one sample is just uniform
     samples_ = samples;
     rng_ = Rng(seed);
     sample_ = next_ = next2_ = ready_ = ready2_ = 0;
@@ -254,11 +253,15 @@ class ColumnSampler final : public Sampler {
     std::vector<double> x, y;
   };
 
+  // A single sample needs no columns, only their number: it requests each of its numbers once.
   [[gnu::noinline]] double first_next() {
+    if (samples_ == 1 && sample_ == 0) return next_ = ++ready_, to_unit(rng_());
     make(ones_, ready_, 1);
     return next();
   }
   [[gnu::noinline]] Point2 first_next2() {
+    if (samples_ == 1 && sample_ == 0)
+      return next2_ = ++ready2_, Point2{to_unit(rng_()), to_unit(rng_())};
     make(twos_, ready2_, 2);
     return next2();
   }
@@ -286,8 +289,7 @@ class ColumnSampler final : public Sampler {
     if (sample_ >= samples_) throw std::out_of_range("no sample is left: call generate() first");
   }
 
-  const Kind& requested_kind_;
-  const Kind* kind_ = nullptr;  // requested_kind_, or independent for one sample
+  const Kind* kind_;
   Rng rng_{0};
   std::size_t samples_ = 0, sample_ = 0;  // their number, and the current one
   std::size_t next_ = 0, next2_ = 0;      // calls made by the current sample

@@ -132,7 +132,7 @@ namespace mc::old_order {
 struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   double next() override {
-    if (next_ != ready_ || ready_ >= 4) return ColumnSampler::next();
+    if (samples_ == 1 || next_ != ready_ || ready_ >= 4) return ColumnSampler::next();
     ColumnSampler::next();
     std::vector<double>& x = ones_[ready_ - 1].x;
     std::vector<double>& order = orders_[ready_ - 1];
@@ -397,7 +397,7 @@ struct Wrong : ColumnSampler {
   using ColumnSampler::ColumnSampler;
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
-    while (next_ < 16) next();
+    while (samples > 1 && next_ < 16) next();
     next_ = 0;
   }
 };
