@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <memory_resource>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -340,18 +339,16 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 // 5.9 --------------------------------------------------------------------------------------------
 // A value is a sum of integers in units of 2^-64, modulo 1: that of index 0, which is a random word,
 // and the change that each nonzero digit makes to it. Its digits are the images of 0. Sums of
-// integers do not depend on the order of their terms, so an index has one value in all columns.
+// integers do not depend on the order of their terms, so an index has one value in all columns. The
+// permutations are drawn digit by digit, up to the largest that an index has: few indices need few.
 
 namespace {
-/// For one position: `row[digit]` becomes the change that `digit` makes, in units of 2^-64. A digit
-/// there is worth `unit` (in units of 2^-128), and a random permutation maps 0 to `zero`.
-void fill_moves(std::span<std::uint64_t> row, std::size_t zero, unsigned __int128 unit, Rng rng) {
-  std::iota(row.begin(), row.end(), 0u);
-  std::swap(row[0], row[zero]);
-  Choices any(rng);
-  for (std::size_t k = row.size() - 1; k > 1; --k) std::swap(row[k], row[1 + any.below(k)]);
-  const auto of_zero = static_cast<std::uint64_t>(zero * unit >> 64);
-  for (auto& digit : row) digit = static_cast<std::uint64_t>(digit * unit >> 64) - of_zero;
+/// Writes the images of the first `count` digits of a random permutation that maps 0 to `zero`.
+void permute_digits(std::span<std::uint64_t> row, unsigned count, std::size_t zero, Choices& any) {
+  std::uint64_t* const image = row.data();  // a span may check every index
+  std::iota(image, image + row.size(), 0u);
+  std::swap(image[0], image[zero]);
+  for (std::size_t k = 1; k < count; ++k) std::swap(image[k], image[k + any.below(row.size() - k)]);
 }
 }  // namespace
 
@@ -361,43 +358,46 @@ void radical_inverses_scrambled(unsigned base, std::uint64_t first, std::span<do
   if (base > 65536) throw std::invalid_argument("base: must be at most 2^16");
   require_indices(first, column.size(), last_index);
   if (column.empty()) return;
-  const std::uint64_t hashed = mix_bits(seed ^ mix_bits(base));
-  const std::uint64_t value_of_zero = Rng(hashed)();
-
-  std::array<std::byte, 16384> stack;  // an allocation would cost more than a few points
-  std::pmr::monotonic_buffer_resource memory(stack.data(), stack.size());
-  std::pmr::vector<std::uint64_t> moves(&memory);  // a row of `base` entries per position
-  moves.reserve(4 * base);
-  auto unit = ~static_cast<unsigned __int128>(0);
+  Rng rng(seed ^ mix_bits(base));
+  const std::uint64_t value_of_zero = rng();
+  Choices any(rng);
+  // As in 5.2, a table of the last digits, while it is small. The moves of the digits before them
+  // are stored after it. On the stack: an allocation would cost more than a few points.
+  std::array<std::uint64_t, 2 * largest_table> stack;
+  std::vector<std::uint64_t> heap(base > 64 ? largest_table + 12 * base : 0);
+  std::uint64_t* const table = heap.empty() ? stack.data() : heap.data();
+  std::uint64_t* const moves = table + std::max<std::size_t>(base, largest_table);
+  table[0] = value_of_zero;
+  std::size_t size = 1, used = 0;
+  std::uint64_t unit = last_index, fraction = 0xffffffff;  // 1, as 64 bits and the next 32
   auto zeros = static_cast<unsigned __int128>(value_of_zero);
   for (auto n = first + (column.size() - 1); n > 0; n /= base) {
+    fraction = ((unit % base) << 32 | fraction) / base;
     unit /= base;
     zeros = (zeros & last_index) * base;
-    moves.resize(moves.size() + base);
-    fill_moves(std::span(moves).last(base), static_cast<std::size_t>(zeros >> 64), unit,
-               Rng(hashed + moves.size() / base));
+    const auto zero = static_cast<std::size_t>(zeros >> 64);
+    const auto count = static_cast<unsigned>(std::min<std::uint64_t>(n, base - 1)) + 1;
+    std::uint64_t* const row = moves + used;
+    permute_digits({row, base}, count, zero, any);
+    const auto worth = [=](std::uint64_t digit) { return digit * unit + (digit * fraction >> 32); };
+    for (std::size_t k = 0; k < count; ++k) row[k] = worth(row[k]) - worth(zero);
+    if (used == 0 && size < column.size() && (size == 1 || size * base <= largest_table)) {
+      append_digit(table, size, count, [=](unsigned digit) {
+        return [move = row[digit]](std::uint64_t sum) { return sum + move; };
+      });
+      size *= count;
+    } else {
+      used += base;
+    }
   }
-
-  // As in 5.2, a table of the last digit, and of more digits while it stays small.
-  std::pmr::vector<std::uint64_t> table({value_of_zero}, &memory);
-  auto rows = std::span<const std::uint64_t>(moves);  // of the digits before those in the table
-  while (table.size() < column.size() &&
-         (table.size() == 1 || table.size() * base <= largest_table)) {
-    const std::size_t size = table.size();
-    table.resize(size * base);
-    append_digit(table.data(), size, base, [=](unsigned digit) {
-      return [move = rows[digit]](std::uint64_t sum) { return sum + move; };
-    });
-    rows = rows.subspan(base);
-  }
-  const auto value_in = [=, block = first / table.size()](std::size_t k) {
+  const auto value_in = [=, block = first / size](std::size_t k) {
     std::uint64_t above = 0, position = 0;
-    for (auto n = block + k; n > 0; n /= base) above += rows[position++ * base + n % base];
+    for (auto n = block + k; n > 0; n /= base) above += moves[position++ * base + n % base];
     return [=](std::uint64_t sum) {
       return joined((sum + above) >> 32, (sum + above) >> 11 & 0x1fffff);
     };
   };
-  fill_by_blocks(column, first % table.size(), std::span<const std::uint64_t>(table), value_in);
+  fill_by_blocks(column, first % size, std::span<const std::uint64_t>(table, size), value_in);
 }
 
 // 5.10 -------------------------------------------------------------------------------------------

@@ -118,6 +118,22 @@ void sobol_points(unsigned dimension, std::span<double> x, Tables& tables) {
   std::copy_n(kept.begin(), x.size(), x.begin());
 }
 
+/// 6.8  Nested scrambling of up to 16 points that differ in their first four bits. 1 + 2 + 4 + 8
+/// random decisions flip these, and all later bits are independent: no hash needs to be computed.
+void scramble_few(std::span<double> x, std::uint64_t seed) {
+  Rng rng(seed);
+  std::array<double, 16> rest;
+  uniforms(rng, std::span(rest).first(x.size()));
+  const auto decisions = static_cast<std::uint32_t>(rng());
+  const auto flip = [=](std::uint32_t node) { return decisions >> node & 1; };
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const auto first = static_cast<std::uint32_t>(static_cast<int>(16 * x[i]));
+    const auto flips =
+        flip(1) << 3 | flip(2 | first >> 3) << 2 | flip(4 | first >> 2) << 1 | flip(8 | first >> 1);
+    x[i] = (static_cast<int>(first ^ flips) + (1 - 0x1p-49) * rest[i]) / 16;
+  }
+}
+
 /// Fills x with the points in the dimension at `place`, randomized by `seed`.
 using Randomized = void(const SampleDimension&, std::size_t place, std::span<double> x,
                         std::uint64_t seed);
@@ -127,7 +143,7 @@ void fill_sobol(const SampleDimension& dim, std::size_t place, std::span<double>
   const auto dimension =
       dim.dimensions.empty() ? static_cast<unsigned>(place) : dim.dimensions[place];
   in_order(dim, x, [&](auto all) { sobol_points(dimension, all, dim.tables); });
-  owen_scramble(x, seed);
+  x.size() > 16 ? owen_scramble(x, seed) : scramble_few(x, seed);
 }
 
 /// In base 2, permuting a digit flips the bit in all points or in none, which is only a digital
@@ -220,12 +236,11 @@ constexpr Kind kinds[] = {{"independent", independent},
 
 class ColumnSampler final : public Sampler {
  public:
-  explicit ColumnSampler(const Kind& kind) : requested_kind_(kind) {}
+  explicit ColumnSampler(const Kind& kind) : kind_(&kind) {}
 
   void generate(std::size_t samples, std::uint64_t seed) override {
     if (samples == 0) throw std::invalid_argument("samples: must be positive");
     if (samples > most_samples) throw std::invalid_argument("samples: more than most_samples");
-    kind_ = samples == 1 ? &kinds[0] : &requested_kind_;  // one sample is just uniform
     samples_ = samples;
     rng_ = Rng(seed);
     sample_ = next_ = next2_ = ready_ = ready2_ = 0;
@@ -254,11 +269,15 @@ class ColumnSampler final : public Sampler {
     std::vector<double> x, y;
   };
 
+  // A single sample needs no columns, only their number: it requests each of its numbers once.
   [[gnu::noinline]] double first_next() {
+    if (samples_ == 1 && sample_ == 0) return next_ = ++ready_, to_unit(rng_());
     make(ones_, ready_, 1);
     return next();
   }
   [[gnu::noinline]] Point2 first_next2() {
+    if (samples_ == 1 && sample_ == 0)
+      return next2_ = ++ready2_, Point2{to_unit(rng_()), to_unit(rng_())};
     make(twos_, ready2_, 2);
     return next2();
   }
@@ -286,8 +305,7 @@ class ColumnSampler final : public Sampler {
     if (sample_ >= samples_) throw std::out_of_range("no sample is left: call generate() first");
   }
 
-  const Kind& requested_kind_;
-  const Kind* kind_ = nullptr;  // requested_kind_, or independent for one sample
+  const Kind* kind_;
   Rng rng_{0};
   std::size_t samples_ = 0, sample_ = 0;  // their number, and the current one
   std::size_t next_ = 0, next2_ = 0;      // calls made by the current sample

@@ -9,8 +9,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <memory_resource>
-#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -235,12 +233,16 @@ void latin_hypercube(PointSet& points, Rng& rng) {
 namespace {
 
 /// Writes a random permutation of 0 … n-1 twice in a row, n = order.size() / 2, so that n entries
-/// can be read from any start below n.
-void permute_twice(std::span<double> order, Rng& rng) {
-  const auto once = order.first(order.size() / 2);
-  std::iota(once.begin(), once.end(), 0.0);
-  shuffle(once, rng);
-  for (std::size_t i = 0; i < once.size(); ++i) order[once.size() + i] = once[i];
+/// can be read from any start below n. (Fisher-Yates, inside out: it also writes the numbers.)
+void permute_twice(std::span<double> order, Choices& any) {
+  const std::size_t n = order.size() / 2;
+  double *const once = order.data(), *const again = once + n;
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t other = any.below(k + 1);
+    once[k] = once[other];
+    once[other] = static_cast<double>(k);
+  }
+  for (std::size_t k = 0; k < n; ++k) again[k] = once[k];
 }
 
 }  // namespace
@@ -249,26 +251,27 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
   require_grid(x, y, grid);
   const std::size_t nx = grid.nx, ny = grid.ny;
   // Memory on the stack: for few points, an allocation would cost more than everything else.
-  std::array<std::byte, 2048> stack;
-  std::pmr::monotonic_buffer_resource memory(stack.data(), stack.size());
-  std::pmr::vector<double> in_column(2 * ny, &memory), in_row(2 * nx, &memory);
-  permute_twice(in_column, rng);
-  permute_twice(in_row, rng);
-  std::pmr::vector<std::size_t> row_starts(ny, &memory);
+  std::array<double, 256> stack;
+  std::array<std::size_t, 64> few_starts;
+  std::vector<double> heap(2 * (nx + ny) > stack.size() ? 2 * (nx + ny) : 0);
+  std::vector<std::size_t> many_starts(ny > few_starts.size() ? ny : 0);
+  double* const in_column = heap.empty() ? stack.data() : heap.data();
+  double* const in_row = in_column + 2 * ny;
+  std::size_t* const starts = many_starts.empty() ? few_starts.data() : many_starts.data();
   Choices any(rng);
-  for (std::size_t& start : row_starts) start = any.below(nx);
+  permute_twice({in_column, 2 * ny}, any);
+  permute_twice({in_row, 2 * nx}, any);
+  for (std::size_t j = 0; j < ny; ++j) starts[j] = any.below(nx);
   uniforms(rng, x);
   uniforms(rng, y);
   const Strata all(x.size());
-  const std::size_t* const starts = row_starts.data();
   for (std::size_t i = 0; i < nx; ++i) {  // column by column of cells
     double *const column_x = x.data() + i * ny, *const column_y = y.data() + i * ny;
-    const double* const stratum = in_column.data() + any.below(ny);
+    const double *const stratum = in_column + any.below(ny), *const in_rows = in_row + i;
     const auto first = static_cast<double>(i * ny);
-    for (std::size_t j = 0; j < ny; ++j) column_x[j] = all.place(first + stratum[j], column_x[j]);
-    const double* const in_rows = in_row.data() + i;
-    for (std::size_t j = 0; j < ny; ++j) {
-      const auto row = static_cast<double>(static_cast<std::int64_t>(j * nx));
+    double row = 0;
+    for (std::size_t j = 0; j < ny; ++j, row += static_cast<double>(nx)) {
+      column_x[j] = all.place(first + stratum[j], column_x[j]);
       column_y[j] = all.place(row + in_rows[starts[j]], column_y[j]);
     }
   }

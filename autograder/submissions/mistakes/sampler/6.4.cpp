@@ -292,7 +292,7 @@ namespace mc::eager_columns {
 struct Wrong : Spoiled {
   void generate(std::size_t samples, std::uint64_t seed) override {
     ColumnSampler::generate(samples, seed);
-    while (next_ < 16) next();
+    while (samples > 1 && next_ < 16) next();
     next_ = 0;
   }
 };
