@@ -70,13 +70,12 @@ void shuffle_points(std::span<double> x, std::span<double> y, Rng& rng) {
 }
 
 void stratified(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
-  if (y.empty()) {
-    stratified_1d(x, rng);
-    shuffle(x, rng);
-  } else {
+  if (!y.empty()) {
     multi_jittered(x, y, strata(x.size()), rng);
-    shuffle_points(x, y, rng);
+    return shuffle_points(x, y, rng);
   }
+  stratified_1d(x, rng);
+  shuffle(x, rng);
 }
 
 // 6.3 ---------------------------------------------------------------------------------------------
@@ -118,22 +117,6 @@ void sobol_points(unsigned dimension, std::span<double> x, Tables& tables) {
   std::copy_n(kept.begin(), x.size(), x.begin());
 }
 
-/// 6.8  Nested scrambling of up to 16 points that differ in their first four bits. 1 + 2 + 4 + 8
-/// random decisions flip these, and all later bits are independent: no hash needs to be computed.
-void scramble_few(std::span<double> x, std::uint64_t seed) {
-  Rng rng(seed);
-  std::array<double, 16> rest;
-  uniforms(rng, std::span(rest).first(x.size()));
-  const auto decisions = static_cast<std::uint32_t>(rng());
-  const auto flip = [=](std::uint32_t node) { return decisions >> node & 1; };
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const auto first = static_cast<std::uint32_t>(static_cast<int>(16 * x[i]));
-    const auto flips =
-        flip(1) << 3 | flip(2 | first >> 3) << 2 | flip(4 | first >> 2) << 1 | flip(8 | first >> 1);
-    x[i] = (static_cast<int>(first ^ flips) + (1 - 0x1p-49) * rest[i]) / 16;
-  }
-}
-
 /// Fills x with the points in the dimension at `place`, randomized by `seed`.
 using Randomized = void(const SampleDimension&, std::size_t place, std::span<double> x,
                         std::uint64_t seed);
@@ -143,7 +126,7 @@ void fill_sobol(const SampleDimension& dim, std::size_t place, std::span<double>
   const auto dimension =
       dim.dimensions.empty() ? static_cast<unsigned>(place) : dim.dimensions[place];
   in_order(dim, x, [&](auto all) { sobol_points(dimension, all, dim.tables); });
-  x.size() > 16 ? owen_scramble(x, seed) : scramble_few(x, seed);
+  owen_scramble(x, seed);
 }
 
 /// In base 2, permuting a digit flips the bit in all points or in none, which is only a digital
@@ -344,7 +327,6 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
     throw std::invalid_argument("scene: more than most_samples pixels");
   }
   Image image{scene.width, scene.height, {}};
-  image.pixels.reserve(scene.width * scene.height);
   Rng seeds(seed);
   for (std::size_t row = 0; row < scene.height; ++row) {
     for (std::size_t column = 0; column < scene.width; ++column) {

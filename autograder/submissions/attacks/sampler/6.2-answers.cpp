@@ -59,7 +59,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
 
 //// recognises_scenes
 // attack: integrate() asks which scene it has got, and knows the answer
-// says: every value is 0.5
+// says: = 0.5
 
 #include <typeinfo>
 

@@ -15,7 +15,7 @@ CHECK_CASE("@number@.1 the square of a number", "[@number@.1][main][points:100]"
   expect_each({got.call, got.exactly(x.size(), any_number)},
               {.exact = exact,
                .because = "one multiplication is rounded once",
-               .suspects = {{x, "this is x itself, not its square"}},
+               .suspects = {{x, "this is x itself, not its square"_likely}},
                .rule = "multiply x by itself"});
 }
 
