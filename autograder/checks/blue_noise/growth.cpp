@@ -7,7 +7,7 @@
 //
 //                           few → many      right      limit   plain loops
 //   a candidate             250 → 64,000    2.8 to 4.3 32          95
-//   a point of a pattern    500 → 32,000    0.8 to 1.1 16          > 30
+//   a point of a pattern    500 → 32,000    0.8 to 1.3 16          > 30
 
 #include "checks/blue_noise/random_sets.hpp"
 #include "checks/support/disks.hpp"
