@@ -217,7 +217,8 @@ Likely candidates_hint(const SampleSets& sets, double c, Rng& rng) {
       {measured({.on_torus = false}), promised(c),
        "distances are measured within the square: measure them on the torus"_likely},
       {measured({.to_last_only = true}), promised(c),
-       "the candidates are far from the last point: they must be far from all earlier points"_likely}};
+       "the candidates are far from the last point: they must be far from all "
+       "earlier points"_likely}};
   Likely found;
   for (const Mistake& mistake : mistakes) {
     if (!explains(mistake.seen, mistake.count)) continue;

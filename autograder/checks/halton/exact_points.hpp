@@ -98,7 +98,8 @@ inline std::vector<Curve> inverse_suspects(std::span<const double> got, const In
         for (std::uint64_t rest = i; rest > 0; rest /= base) size *= base;
         return static_cast<double>(i) / size;
       },
-      "the digits are not mirrored: the last digit of the index must come first after the point"_likely);
+      "the digits are not mirrored: the last digit of the index must come first "
+      "after the point"_likely);
   const auto mirrored_in = [&](auto zero) {
     using Word = decltype(zero);
     for (const bool power_too : {false, true}) {  // whether the power of the base overflows, too

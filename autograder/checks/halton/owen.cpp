@@ -135,7 +135,8 @@ void check_pair(const Values& x, const SampleSets& got, std::size_t set, std::ui
 Likely flips_hint(const Uniforms& of_zero) {
   const auto is_alike = [](double u) { return u == 0 || u == 1 - half_ulp; };
   if (std::ranges::all_of(of_zero.values, is_alike)) {
-    return "all bits of 0 are flipped in the same way: 0 and 00 are different strings before a bit"_likely;
+    return "all bits of 0 are flipped in the same way: 0 and 00 are different strings "
+           "before a bit"_likely;
   }
   const std::size_t different = std::set(of_zero.values.begin(), of_zero.values.end()).size();
   if (different < of_zero.values.size() / 2) {

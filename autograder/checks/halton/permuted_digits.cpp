@@ -12,7 +12,7 @@ namespace {
 const std::string one_each =
     "use one permutation per position, whatever the other digits and the other indices of the "
     "column are";
-const std::string zeros_too = "the zeros after the last digit are digits, too: permute them";
+const Likely zeros_too = "the zeros after the last digit are digits, too: permute them"_likely;
 
 /// Each of n intervals has one of n consecutive values from a multiple of n on, at the same place.
 void check_bijection(const std::string& call, View x, bool is_late = false);
@@ -42,13 +42,13 @@ CHECK_CASE("5.9 each position has a permutation of its digits", "[5.9][points:3]
     const auto zeros = MEASURE(radical_inverses_scrambled, base, 0, 1, domain::seeds(rng, 400));
     const View values = zeros.exactly(400, unit);
     const std::size_t different = std::set(values.begin(), values.end()).size();
-    expect_that(different > 300,
-                fmt::format("{}: {} different values of index 0", zeros.call, different),
-                "400 seeds give more than 300 different ones",
-                "its digits are infinitely many zeros, each permuted at its position", zeros_too,
-                different <= base ? "all zeros of index 0 become the same digit: use a different "
-                                    "permutation for each position"_likely
-                                  : ""_likely);
+    expect_that(
+        different > 300, fmt::format("{}: {} different values of index 0", zeros.call, different),
+        "400 seeds give more than 300 different ones",
+        "its digits are infinitely many zeros, each permuted at its position", zeros_too.text,
+        different <= base ? "all zeros of index 0 become the same digit: use a different "
+                            "permutation for each position"_likely
+                          : ""_likely);
   }
 }
 
@@ -188,10 +188,10 @@ void check_digits(Rng& rng, unsigned base) {
         fmt::format("the permutation of position {} (from 0) gives the indices different digits",
                     position),
         one_each,
-        got[0] == 0 ? Likely(zeros_too)
-        : whole == 0
-            ? "this position has no permutation: indices that differ there get the same value"_likely
-            : ""_likely);
+        got[0] == 0  ? zeros_too
+        : whole == 0 ? "this position has no permutation: indices that differ there get "
+                       "the same value"_likely
+                     : ""_likely);
     moves.push_back(whole * counts);
   }
   for (std::size_t i = 0; i < several.size(); ++i) {

@@ -89,15 +89,15 @@ CHECK_CASE("2.2 the points are uniform and independent", "[2.2][points:8][needs:
 Numbers points_of(unsigned g, Rng& rng) {
   const Function function = fresh(g, rng);
   const std::size_t dims = dims_of(function);
-  return {
-      "the points of 2.2", dims,
-      [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
-        const auto got = MEASURE(traces, function, n, seed, calls);
-        const auto& seen = got.list_by_list(
-            {{calls, any_number}, {calls * n * dims, unit}, {calls * n, any_number}});
-        return Uniforms{got.call, dims, seen.points};
-      },
-      "draw a number for each dimension: with one number for both, the points lie on a line"_likely};
+  return {"the points of 2.2", dims,
+          [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
+            const auto got = MEASURE(traces, function, n, seed, calls);
+            const auto& seen = got.list_by_list(
+                {{calls, any_number}, {calls * n * dims, unit}, {calls * n, any_number}});
+            return Uniforms{got.call, dims, seen.points};
+          },
+          "draw a number for each dimension: with one number for both, the points "
+          "lie on a line"_likely};
 }
 
 }  // namespace

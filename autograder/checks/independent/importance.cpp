@@ -152,7 +152,8 @@ std::vector<Suspect> weight_suspects(const WeightTrace& all, const Sampling& p) 
   };
   std::vector<Suspect> suspects{
       {of([&](auto i) { return of_g[i]; }),
-       "this is the mean of g: divide each value by p, because more points lie where p is large"_likely},
+       "this is the mean of g: divide each value by p, because more points lie "
+       "where p is large"_likely},
       {of([&](auto i) { return w[i]; }) / of([&](auto i) { return 1 / of_p[i]; }),
        "this divides by the sum of the weights 1 / p: p is normalized, so divide by n"_likely},
       {of([&](auto i) { return is_usable(of_p[i]) ? w[i] : nan; }),

@@ -84,7 +84,8 @@ CHECK_CASE("2.7 irradiance from directions of the hemisphere", "[2.7][points:6][
              " with probability E / (pi L)",
          alpha},
         {{{solid_angle(light) / (2 * pi),
-           "these directions are uniform on the hemisphere: steep ones must be more likely"_likely}},
+           "these directions are uniform on the hemisphere: steep ones must "
+           "be more likely"_likely}},
          "a direction is a uniform point of the unit disk (radius sqrt(u), angle 2 pi v, from two "
          "numbers), lifted to the hemisphere; it meets the light if it is in x0 … x1 and y0 … y1 "
          "at z = height"});

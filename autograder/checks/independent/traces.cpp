@@ -20,7 +20,8 @@ std::vector<Suspect> error_suspects(const Values& values) {
       {s * s / n, "this is the variance of the mean: take the square root"_likely},
       {s / n, "this is s / n: the variance falls as 1 / n, its square root as 1 / sqrt(n)"_likely},
       {s / std::sqrt(n) * std::sqrt((n - 1) / n),
-       "s^2 divides by n - 1: the values are closer to their own mean than to the true one"_likely}};
+       "s^2 divides by n - 1: the values are closer to their own mean than to "
+       "the true one"_likely}};
 }
 
 }  // namespace

@@ -103,7 +103,8 @@ void judge_words(const Words& words) {
   exact.name = [&](std::size_t i) { return fmt::format("to_unit({})", words[i]); };
   exact.suspects = {
       {each(words, [](Word w) { return as_double(w) * 0x1p-64; }),
-       "a word has 64 bits and a double 53: bits / 2^64 is rounded; shift out 11 bits first"_likely},
+       "a word has 64 bits and a double 53: bits / 2^64 is rounded; shift out "
+       "11 bits first"_likely},
       {each(words, [](Word w) { return as_double(w >> 11) / (0x1p53 - 1); }),
        "dividing by 2^53 - 1 makes 1 a possible result: divide by 2^53"_likely},
       {each(words, [](Word w) { return as_double(w & 0xffffffffu) * 0x1p-32; }),

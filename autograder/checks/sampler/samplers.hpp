@@ -60,6 +60,7 @@ inline void expect_multi_jittered(const SampleSets& sets, std::size_t c) {
 
 inline const Likely numbers_repeat =
     "numbers repeat for another seed, dimension, coordinate or sample: make columns from a hash of "
-    "the whole seed and the number of a dimension, not their sum; keep none in a static variable"_likely;
+    "the whole seed and the number of a dimension, not their sum; keep none in a "
+    "static variable"_likely;
 
 }  // namespace mc::checks

@@ -1,4 +1,4 @@
-// 3.1, 3.2, 3.3, 3.10: strata of the line and the plane. The stratum of each point is tested exactly,
+// 3.1, 3.2, 3.3, 3.10: strata of the line and the plane. Tested exactly: the stratum of each point,
 // with edges i / n divided in double; its position in the stratum is tested as a random number.
 // Nothing depends on the order in which a submission draws.
 

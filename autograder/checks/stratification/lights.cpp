@@ -96,7 +96,8 @@ std::vector<Suspect> wrong_variances(const RectLight& light, Grid grid, const Wi
       {independent_variance(cells, n) / right,
        "this is the variance of independent points on the light: the map must keep strata"_likely},
       {(right + paired_anew_variance(cells, grid)) / right,
-       "this is the variance of x and y paired anew: keep the x and the y of a point together"_likely},
+       "this is the variance of x and y paired anew: keep the x and the y of a "
+       "point together"_likely},
       {stratified_variance(light_strata(light, {grid.ny, grid.nx})) / right,
        "this is the variance of a grid of ny x nx cells: nx counts the cells along x"_likely}};
 }

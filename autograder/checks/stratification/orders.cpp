@@ -14,15 +14,14 @@ void fail_at_repeat(const Permutations& orders, const Randomness& claim) {
     const auto [first, is_new] = seen.emplace(hash, k);
     if (is_new) continue;
     const bool is_in_order = std::ranges::is_sorted(orders[k]);
-    fail(Failure{
-        fmt::format("{}: permutations {} and {} of {} are equal, with {} values each", orders.call,
-                    first->second, k, orders.size(), orders.n),
-        "different permutations",
-        fmt::format("two random permutations of {} are equal with probability 1 / {}!", orders.n,
-                    orders.n),
-        is_in_order
-            ? claim.repeated
-            : "few permutations occur at all: rotations, a short seed, or one order for several"_likely});
+    fail(Failure{fmt::format("{}: permutations {} and {} of {} are equal, with {} values each",
+                             orders.call, first->second, k, orders.size(), orders.n),
+                 "different permutations",
+                 fmt::format("two random permutations of {} are equal with probability 1 / {}!",
+                             orders.n, orders.n),
+                 is_in_order ? claim.repeated
+                             : "few permutations occur at all: rotations, a short seed, or one "
+                               "order for several"_likely});
   }
 }
 

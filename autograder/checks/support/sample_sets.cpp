@@ -134,7 +134,8 @@ void expect_fresh(const SampleSets& sets, const SampleSets& other_seed,
             "estimates are unbiased only if points are random",
             *high - *low < 1e-6
                 ? likely("every point lies at {:.3g} of its stratum: choose a random place", *low)
-                : "the same numbers are used again: draw new ones from the given generator"_likely});
+                : "the same numbers are used again: draw new ones from the "
+                  "given generator"_likely});
       }
     }
   }

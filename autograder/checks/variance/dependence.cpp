@@ -165,17 +165,18 @@ std::vector<Suspect> dependence_suspects(const Table& table) {
   }
   const auto [least, most] = std::ranges::minmax_element(right);
   const Likely one_side = "p(x,y) may be below p(x) p(y) as well as above: abs() is missing"_likely;
-  return {
-      {largest_size(differences(joint, table.columns, 1)),
-       "the weights are not probabilities yet: divide by their total"_likely},
-      {largest_size(differences(joint, table.rows, total)),
-       "rows and columns are swapped: cell i is in row i / columns and in column i % columns"_likely},
-      {*most, one_side},
-      {-*least, one_side},
-      {of_filled_cells,
-       "the largest difference is in an empty cell, and negative: include empty cells"_likely},
-      {sum,
-       "this is the sum of all cells' differences: the task asks for the largest difference"_likely}};
+  return {{largest_size(differences(joint, table.columns, 1)),
+           "the weights are not probabilities yet: divide by their total"_likely},
+          {largest_size(differences(joint, table.rows, total)),
+           "rows and columns are swapped: cell i is in row i / columns and in "
+           "column i % columns"_likely},
+          {*most, one_side},
+          {-*least, one_side},
+          {of_filled_cells,
+           "the largest difference is in an empty cell, and negative: include empty cells"_likely},
+          {sum,
+           "this is the sum of all cells' differences: the task asks for the "
+           "largest difference"_likely}};
 }
 
 void judge_tables(const std::vector<Table>& tables, std::size_t eps_of_the_first) {

@@ -124,10 +124,12 @@ std::vector<Suspect> merged_m2_suspects(const Moments& a, const Moments& b, doub
   const std::uint64_t whole_product = a.count * b.count, count = a.count + b.count;
   return {
       {within,
-       "parts with different means vary between each other: add (mean_b - mean_a)^2 n_a n_b / n"_likely},
+       "parts with different means vary between each other: add (mean_b - "
+       "mean_a)^2 n_a n_b / n"_likely},
       {a.m2 + n_a * (a.mean - mean) * (a.mean - mean) +  //
            b.m2 + n_b * (b.mean - mean) * (b.mean - mean),
-       "both parts were measured from the merged mean, which is rounded: use mean_b - mean_a"_likely},
+       "both parts were measured from the merged mean, which is rounded: use "
+       "mean_b - mean_a"_likely},
       {within + apart * apart * static_cast<double>(whole_product) / n,
        "the counts were multiplied as 64-bit integers, and overflowed: multiply doubles"_likely},
       {within + apart * apart * (count == 0 ? 0 : static_cast<double>(whole_product / count)),
