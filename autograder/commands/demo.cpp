@@ -144,15 +144,15 @@ int watch_demo(const Layout& layout, const Submission& submission, const fs::pat
     const auto quoted = [](const std::string& text) {
       return nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
     };
-    const auto beside = [&](const char* name) {
+    const auto next_to = [&](const char* name) {
       return fmt::format("{}.{}.js", out.string(), name);
     };
     write_text(
         out, page_of(layout, submission.label, demo, {"demo.js", "demo_labs.js", "demo_watch.js"}));
-    write_text(beside("data"), fmt::format("receive({}, {}, {});\n", records_of(demo),
-                                           quoted(list_of(remarks_of(demo))), quoted(news)));
+    write_text(next_to("data"), fmt::format("receive({}, {}, {});\n", records_of(demo),
+                                            quoted(list_of(remarks_of(demo))), quoted(news)));
     const auto now = std::chrono::system_clock::now().time_since_epoch().count();
-    write_text(beside("version"), fmt::format("follow({});\n", now));
+    write_text(next_to("version"), fmt::format("follow({});\n", now));
   };
   const auto publish_state = [&] {
     std::set<std::string> failures;  // one file may be part of several labs

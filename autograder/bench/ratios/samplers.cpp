@@ -76,7 +76,7 @@ Integrand disk(std::uint64_t seed) {
           }};
 }
 
-/// Of d dimensions, by next2(): exp(x_1 + …); and 1 where x_1 + … < 0.45 d, where no symmetry helps.
+/// Of d dimensions, by next2(): exp(x_1 + …); and 1 where x_1 + … < 0.45 d: no symmetry helps.
 template <std::size_t dims, class Value>
 Function of_sum(const std::string& name, double mean, Value value) {
   return {name + ' ' + std::to_string(dims) + 'D', dims, [=](std::uint64_t) {

@@ -187,8 +187,8 @@ void check_pairs(Rng& rng) {
 
 /// Any three of the 15 decisions about four bits after the first `depth` bits are independent: the
 /// number of flips among the three is odd for half of all seeds. (After one multiplication by a
-/// random number and one addition, three bits have five random bits for seven decisions. A fixed
-/// mixing step after it makes some three decisions depend: four of their eight results never occur.)
+/// random number and one addition, three bits have five random bits for seven decisions. With a
+/// fixed mixing step after it some three decisions depend: four of eight results never occur.)
 void check_triples(int depth, Rng& rng) {
   constexpr std::size_t decisions = 15, seeds = 1500;
   constexpr double alpha = 1e-8 / 455 / 4;  // 455 triples, four depths: |odd - 750| >= 134

@@ -185,7 +185,7 @@ CHECK_CASE("2.7 one sample and none", "[2.7][points:1][edge][needs:2.1]") {
                   {MEASURE_OUTCOME(irradiance_hemisphere, {}, 0, 1, 1), "n", no_mean}});
 }
 
-// What the cases above measure ---------------------------------------------------------------------
+// What the cases above measure --------------------------------------------------------------------
 
 /// For lights so small that all points have the same value, to ten digits, the estimate does not
 /// depend on the random numbers, and each wrong formula has its own value.

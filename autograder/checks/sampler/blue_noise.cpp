@@ -10,7 +10,7 @@ namespace mc::checks {
 namespace {
 
 /// The low band of c = 1 is six standard errors or more below `low`, for N = 55 to 80, 200
-/// to 300, and above 1,024, where a single pattern takes as long as a plain loop over all points may.
+/// to 300, and above 1,024, where one pattern takes as long as a plain loop over all points may.
 /// The median relative radius is below `radius` less than once in 10^8 runs; in a single set the
 /// first points may be close by chance.
 struct BlueSets {

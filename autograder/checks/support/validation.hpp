@@ -19,8 +19,8 @@
 
 namespace mc::checks {
 
-/// The cause of a failure that a report names. Written as "…"_likely or likely("… {}", x), which
-/// `self_test repository` finds: for each of these texts a recorded mistake has it in its "hint:".
+/// The cause of a failure that a report names: a literal with the suffix _likely, or the format of
+/// likely(). `self_test repository` finds them all and requires a mistake whose "hint:" quotes each.
 struct Likely {
   Likely() = default;
   explicit Likely(std::string words) : text(std::move(words)) {}

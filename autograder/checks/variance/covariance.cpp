@@ -94,7 +94,7 @@ Pairs far_pairs(Rng& rng, double offset, std::size_t n) {
 
 /// The header's bound, for one pass or two.
 void judge_pairs(const std::vector<Pairs>& all, const std::string& rule) {
-  Results covariances;
+  Results results;
   for (const auto& [x, y] : all) {
     const auto n = static_cast<double>(x.size());
     const auto of_x = exact_moments(x), of_y = exact_moments(y);
@@ -104,7 +104,7 @@ void judge_pairs(const std::vector<Pairs>& all, const std::string& rule) {
     const double scale =
         std::hypot(sigma_x, mean_x) * sigma_y + std::hypot(sigma_y, mean_y) * sigma_x;
     const auto got = MEASURE(covariance, x, y);
-    covariances.add(got.call, got.value, exact, 10 * n * eps * scale, [=]() -> std::vector<Suspect> {
+    results.add(got.call, got.value, exact, 10 * n * eps * scale, [=]() -> std::vector<Suspect> {
       return {
           {exact * (n - 1) / n,
            "this divides by n; a sample covariance divides by n - 1 (no integer division)"_likely},
@@ -114,7 +114,7 @@ void judge_pairs(const std::vector<Pairs>& all, const std::string& rule) {
            "this is the correlation: do not divide by the standard deviations"_likely}};
     });
   }
-  covariances.expect(
+  results.expect(
       "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y; 1 digit of slack",
       rule);
 }

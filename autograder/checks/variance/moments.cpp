@@ -98,13 +98,13 @@ CHECK_CASE("1.4 Welford on constant data and hard cases", "[1.4][points:3]") {
 }
 
 CHECK_CASE("1.4 one more value after very many", "[1.4][edge][points:2]") {
-  const Likely unsigned_count = "count is an unsigned 64-bit integer: do not convert it"_likely;
+  const std::string rule = "keep the count an unsigned 64-bit integer";
   const std::pair<int, Likely> ends[] = {{24, "a float counts only to 2^24"_likely},
                                          {31, "an int counts only to 2^31"_likely},
                                          {32, "32 bits count only to 2^32"_likely},
                                          {53, "a double counts only to 2^53"_likely},
-                                         {62, unsigned_count},
-                                         {63, unsigned_count}};
+                                         {62, {}},
+                                         {63, {}}};
   // Just before the limit of exact counting in a type, and past it, where odd counts are lost.
   for (const auto& [bits, hint] : ends) {
     const std::uint64_t power = std::uint64_t{1} << bits;
@@ -115,13 +115,13 @@ CHECK_CASE("1.4 one more value after very many", "[1.4][edge][points:2]") {
       const double x = static_cast<double>(count) * uniform(rng, 1, 2);
       const ExactMoments exact = exact_merge(many, {1, x, 0});
       const auto got = MEASURE(stream, many, {x}, 1);
-      expect_equal(got.call + ".count", got.value.count, count + 1, "one more value was added", "",
-                   hint);
+      expect_equal(got.call + ".count", got.value.count, count + 1, "one more value was added",
+                   rule, hint);
       // A float keeps seven digits; a count that wrapped around changes all of them.
       Results values;
       values.add_digits(got.call + ".mean", got.value.mean, static_cast<double>(exact.mean), 9);
       values.add_digits(got.call + ".m2", got.value.m2, static_cast<double>(exact.m2), 9);
-      values.expect("a correct count keeps all digits; nine are required here", hint.text);
+      values.expect("a correct count keeps all digits; nine are required here", rule);
     }
   }
 }

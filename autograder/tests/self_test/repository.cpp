@@ -89,7 +89,7 @@ std::vector<std::string> lines_with(const std::string& start, const fs::path& fo
 }
 
 /// A report names a cause ("…"_likely, likely("… {}", x)) only if a recorded mistake has it: its
-/// comment quotes the text, or a part of it. Compared is the longest part between placeholders.
+/// comment quotes the longest part between placeholders, or the text has the whole quote.
 void compare_likely(const fs::path& checks, const std::vector<std::string>& quotes) {
   static const std::regex text(R"((likely\(\s*)?((?:"(?:[^"\\\n]|\\.)*"\s*)+)(_likely)?)");
   static const std::regex seams(R"("\s*")"), placeholder(R"(\{[^}]*\})");
@@ -107,8 +107,8 @@ void compare_likely(const fs::path& checks, const std::vector<std::string>& quot
       }
       const bool is_asserted = std::ranges::any_of(quotes, [&](const std::string& quote) {
         constexpr std::size_t telling = 12;  // characters
-        return quote.find(longest) != std::string::npos ||
-               (quote.size() >= telling && words.find(quote) != std::string::npos);
+        const bool is_whole = longest.size() >= telling && quote.find(longest) != std::string::npos;
+        return is_whole || (quote.size() >= telling && words.find(quote) != std::string::npos);
       });
       if (!is_asserted) {
         complain(fmt::format("{}: no mistake has the hint: {}", entry.path().string(), words));

@@ -69,7 +69,7 @@ void add(Moments& moments, double x) {
 }  // namespace mc::welford_counts_in_int
 
 // mistake: counts in a signed integer, which is negative from 2^63 on
-// hint: count is an unsigned 64-bit integer
+// hint: keep the count an unsigned 64-bit integer
 namespace mc::welford_counts_in_signed {
 void add(Moments& moments, double x) {
   add_counting_in<std::int64_t>(moments, x);
