@@ -63,8 +63,8 @@ void bench_speed(const SpeedTask& task) {
                ? missing
                : seconds_by_difference(run, rounds) * 1e9 / static_cast<double>(task.values);
   };
-  Count own = rounds_for(task.rounds, 0.025),
-        plain = task.plain ? rounds_for(task.plain, 0.025) : 0;
+  Count own = rounds_for(task.rounds, 0.008),
+        plain = task.plain ? rounds_for(task.plain, 0.008) : 0;
   for (int turn = 0; turn < 3 && own > 0; ++turn) {
     bench_row({.task = what, .n = task.values, .ns = nanoseconds(task.rounds, own)});
     bench_row(
