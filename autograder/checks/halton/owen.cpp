@@ -4,7 +4,7 @@
 
 #include "5-halton/experiments.hpp"
 #include "checks/halton/exact_points.hpp"
-#include "checks/support/expect_all_seeds.hpp"
+#include "checks/support/constructions.hpp"
 
 namespace mc::checks {
 namespace {
@@ -43,15 +43,14 @@ CHECK_CASE("5.8 scrambled values share the bits that the values share", "[5.8][p
 }
 
 CHECK_CASE("5.8 all 64 bits of the seed count", "[5.8][needs:5.8][points:2][edge]") {
-  const auto of_zero = [](const std::vector<std::uint64_t>& seeds) {
-    return MEASURE(owen_scramble, {0}, seeds);
-  };
-  expect_all_seeds(rng, 2, "level", of_zero);
+  const SeededConstruction of_zero{
+      {.words = "different seeds give independent numbers",
+       .rule = "different seeds have different states of 64 bits: do not truncate a hash"},
+      numbers_by([](const Seeds& seeds) { return MEASURE(owen_scramble, {0}, seeds); }),
+      50'000};
+  expect_all_seeds(of_zero, 2, "level", rng);
   // Numbers that depend on 32 bits of a hash have ten repeats among this many seeds.
-  const Uniforms many = numbers_of(domain::seeds(rng, 300'000), 50'000, of_zero);
-  expect_independent_uniforms(
-      many, {.words = "different seeds give independent numbers",
-             .rule = "different seeds have different states of 64 bits: do not truncate a hash"});
+  expect_random_seeds(of_zero, {domain::seeds(rng, 300'000)});
 }
 
 CHECK_CASE("5.8 each bit is flipped at random for each string before it",

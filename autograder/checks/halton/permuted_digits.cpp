@@ -4,7 +4,7 @@
 
 #include "5-halton/experiments.hpp"
 #include "checks/halton/exact_points.hpp"
-#include "checks/support/expect_all_seeds.hpp"
+#include "checks/support/constructions.hpp"
 
 namespace mc::checks {
 namespace {
@@ -64,10 +64,9 @@ CHECK_CASE("5.9 permutations are random for every position and seed",
 }
 
 CHECK_CASE("5.9 neighboring seeds and all their bits", "[5.9][needs:5.9][points:1][edge]") {
-  const auto of_zero = [](const std::vector<std::uint64_t>& seeds) {
-    return MEASURE(radical_inverses_scrambled, 3, 0, 1, seeds);
-  };
-  expect_all_seeds(rng, 3, "position", of_zero);
+  const auto of_zero = numbers_by(
+      [](const Seeds& seeds) { return MEASURE(radical_inverses_scrambled, 3, 0, 1, seeds); });
+  expect_all_seeds({{}, of_zero}, 3, "position", rng);
 }
 
 CHECK_CASE("5.9 a scrambled value depends only on index and seed", "[5.9][needs:5.9][points:2]") {
@@ -243,11 +242,14 @@ void check_permutations(Rng& rng, unsigned base, const std::vector<unsigned>& po
     for (unsigned k = 0; k < position; ++k) power *= base;
     for (unsigned digit = 1; digit < base; ++digit) indices.push_back(digit * power);
   }
-  const auto measure = [&](const std::vector<std::uint64_t>& part) {
-    return MEASURE(scrambled_one_by_one, base, indices, part);
-  };
-  const auto [call, per_seed, got, bits, name] = numbers_of(
-      domain::in_a_row(rng() >> 1, seeds), 2000 / indices.size(), measure, indices.size());
+  const SeededConstruction scrambled{
+      {},
+      numbers_by(
+          [&](const Seeds& part) { return MEASURE(scrambled_one_by_one, base, indices, part); },
+          indices.size()),
+      2000 / indices.size()};
+  const auto [call, per_seed, got, bits, name] =
+      numbers_of(scrambled, domain::in_a_row(rng() >> 1, seeds));
   Uniforms numbers{call, positions.size() * (base - 1)};
   numbers.name = [=](std::size_t k) {
     return fmt::format("choice {} of the permutation at position {}", k % (base - 1),

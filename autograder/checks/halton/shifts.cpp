@@ -2,6 +2,7 @@
 
 #include "5-halton/experiments.hpp"
 #include "checks/halton/exact_points.hpp"
+#include "checks/support/constructions.hpp"
 
 namespace mc::checks {
 namespace {
@@ -61,15 +62,17 @@ CHECK_CASE("5.10 lattices of any size", "[5.10][stretch][needs:5.7]") {
 }
 
 CHECK_CASE("5.10 each axis has its own uniform shift", "[5.10][stretch][needs:5.7]") {
-  const Randomness claim =
-      uniform_shift("a lattice", "the shift does not depend on all 64 bits of the seed"_likely);
-  for (const auto& seeds :
-       {domain::seeds(rng, 3000), domain::in_a_row(rng(), 3000), domain::seeds_by_bit(rng)}) {
-    Uniforms shifts{"", 16, check_lattice(1, 16, seeds)};
-    shifts.call = fmt::format("lattice(1, 16, {})", shown(seeds));
-    shifts.name = [](std::size_t d) { return fmt::format("the shift of axis {}", d); };
-    expect_independent_uniforms(shifts, claim);
-  }
+  const SeededConstruction lattice{
+      uniform_shift("a lattice", "the shift does not depend on all 64 bits of the seed"_likely),
+      [](const Seeds& seeds) {
+        Uniforms shifts{fmt::format("lattice(1, 16, {})", shown(seeds)), 16,
+                        check_lattice(1, 16, seeds)};
+        shifts.name = [](std::size_t d) { return fmt::format("the shift of axis {}", d); };
+        return shifts;
+      },
+      3000};
+  expect_random_seeds(lattice, {domain::seeds(rng, 3000), domain::in_a_row(rng(), 3000),
+                                domain::seeds_by_bit(rng)});
 }
 
 CHECK_CASE("5.10 the tent transform folds the line", "[5.10][stretch]") {

@@ -5,7 +5,8 @@
 namespace mc::checks {
 namespace {
 
-Numbers points_of(unsigned g, Rng& rng);
+/// The coordinates of n points at which a random integrand is evaluated.
+Construction points_of(unsigned g, std::uint64_t n, Rng& rng);
 
 CHECK_CASE("2.2 the estimate is the mean of its values", "[2.2][points:4][needs:2.1][main]") {
   Results means;
@@ -18,7 +19,7 @@ CHECK_CASE("2.2 the estimate is the mean of its values", "[2.2][points:4][needs:
     expect_not_finite(MEASURE(estimates, g, 9, rng(), 1));
   }
   // A coarse test of randomness; another check tests independence.
-  judge_one_call(points_of(exponential, rng), 200, 16, rng);
+  expect_random_samples(points_of(exponential, 200, rng), 1, 16, rng);
 }
 
 CHECK_CASE("2.2 exactly n evaluations inside the unit cube", "[2.2][points:5][needs:2.1]") {
@@ -73,11 +74,11 @@ CHECK_CASE("2.2 n = 0 is refused", "[2.2][points:1][edge]") {
 }
 
 CHECK_CASE("2.2 the points are uniform and independent", "[2.2][points:8][needs:2.1]") {
-  judge_one_call(points_of(product, rng), 20'000, 53, rng);
-  judge_calls_in_turn(points_of(five, rng), 3, 1000, rng);
-  judge_calls_in_turn(points_of(exponential, rng), 33, 300, rng);
+  expect_random_samples(points_of(product, 20'000, rng), 2, 53, rng);
+  expect_random_calls(points_of(five, 3, rng), 1000, rng);
+  expect_random_calls(points_of(exponential, 33, rng), 300, rng);
   // With only a million different streams, one would occur twice here.
-  judge_calls_in_turn(points_of(exponential, rng), 1, 10'000, rng);
+  expect_random_calls(points_of(exponential, 1, rng), 10'000, rng);
   judge_period(rng(), [g = fresh(exponential, rng)](std::uint64_t n, std::uint64_t seed) {
     return MEASURE(estimates, g, n, seed, 1);
   });
@@ -85,19 +86,18 @@ CHECK_CASE("2.2 the points are uniform and independent", "[2.2][points:8][needs:
 
 // What the cases above use ------------------------------------------------------------------------
 
-/// The coordinates of the points at which a random integrand is evaluated.
-Numbers points_of(unsigned g, Rng& rng) {
+Construction points_of(unsigned g, std::uint64_t n, Rng& rng) {
   const Function function = fresh(g, rng);
   const std::size_t dims = dims_of(function);
-  return {"the points of 2.2", dims,
-          [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
+  Randomness claim = numbers_in_turn("the points of 2.2");
+  claim.same =
+      "draw a number for each dimension: with one number for both, the points lie on a line"_likely;
+  return {claim, [=](std::uint64_t seed, std::uint64_t calls) {
             const auto got = MEASURE(traces, function, n, seed, calls);
             const auto& seen = got.list_by_list(
                 {{calls, any_number}, {calls * n * dims, unit}, {calls * n, any_number}});
-            return Uniforms{got.call, dims, seen.points};
-          },
-          "draw a number for each dimension: with one number for both, the points "
-          "lie on a line"_likely};
+            return Uniforms{got.call, n * dims, seen.points};
+          }};
 }
 
 }  // namespace

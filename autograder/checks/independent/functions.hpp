@@ -2,7 +2,7 @@
 // Shared by the checks of lab 2: integrands, random numbers, and traces of estimates.
 
 #include "2-independent/experiments.hpp"
-#include "checks/support/checks.hpp"
+#include "checks/support/constructions.hpp"
 
 namespace mc::checks {
 
@@ -14,6 +14,12 @@ inline constexpr double denormal = std::numeric_limits<double>::denorm_min();
 inline constexpr double alpha = 1e-8;
 
 inline const Likely from_rng = "take all random numbers from rng"_likely;
+inline Randomness numbers_in_turn(const std::string& words) {
+  return {.words = words,
+          .alpha = alpha,
+          .rule = "each call must continue where the last one left the generator",
+          .repeated = "the generator must advance: do not use a copy of it"_likely};
+}
 inline const std::string no_mean = "there is no mean of 0 samples";
 
 /// Function::g
@@ -55,43 +61,6 @@ inline void expect_not_finite(const Measured<std::vector<experiments::CountedEst
   expect_not_finite(got.call, got.exactly(1, any_number)[0].value,
                     "g is infinite or NaN: a finite estimate would hide it",
                     "use values of g unchanged");
-}
-
-/// The random numbers of consecutive calls with one generator, for n samples each.
-struct Numbers {
-  std::string words;  ///< "the points of 2.2"
-  std::size_t dims;
-  std::function<Uniforms(std::uint64_t n, std::uint64_t seed, std::uint64_t calls)> ask;
-  Likely same = {};  ///< the hint if two numbers of a sample are equal
-};
-
-/// The numbers of one call are random, to `bits` bits, and independent of those with another seed.
-inline void judge_one_call(const Numbers& numbers, std::uint64_t n, int bits, Rng& rng) {
-  Uniforms one = numbers.ask(n, rng(), 1), other = numbers.ask(n, rng(), 1);
-  one.positions = other.positions = numbers.dims;
-  one.bits = other.bits = bits;
-  expect_independent_uniforms(
-      one, {numbers.words + ", of one call", alpha,
-            "make each number by to_unit() from a new word; use no mirror image 1 - u",
-            "take new numbers from rng inside the loop, for each sample"_likely, numbers.same});
-  Uniforms both = side_by_side(one, other);
-  both.name = [dims = numbers.dims](std::size_t position) {
-    return fmt::format("number {} of a sample with {}", position % dims,
-                       position < dims ? "one seed" : "another seed");
-  };
-  expect_independent_uniforms(
-      both, {numbers.words + ", from two seeds", alpha,
-             "numbers with one seed depend on those with another", from_rng, from_rng});
-}
-
-/// The same for many consecutive calls for few samples.
-inline void judge_calls_in_turn(const Numbers& numbers, std::uint64_t n, std::uint64_t calls,
-                                Rng& rng) {
-  Uniforms all = numbers.ask(n, rng(), calls);
-  all.positions = numbers.dims * n;
-  expect_independent_uniforms(all, {numbers.words + ", of calls in turn", alpha,
-                                    "each call must continue where the last one left the generator",
-                                    "the generator must advance: do not use a copy of it"_likely});
 }
 
 /// Estimates from n and from 2n samples, with the same seed, differ: they are equal if the numbers

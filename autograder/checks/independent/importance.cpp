@@ -26,7 +26,8 @@ struct Case {
 /// Estimates are the means of their weights; standard errors follow from the weights, too.
 void judge_weights(const std::vector<Case>& cases, Rng& rng);
 
-Numbers u_of(const Sampling& p, Rng& rng);
+/// The u of n samples.
+Construction u_of(const Sampling& p, std::uint64_t n, Rng& rng);
 
 CHECK_CASE("2.4 the mean of g over p at samples of p", "[2.4][points:6][needs:2.1][main]") {
   std::vector<Case> cases;
@@ -35,7 +36,7 @@ CHECK_CASE("2.4 the mean of g over p at samples of p", "[2.4][points:6][needs:2.
   }
   cases.push_back({fresh(exponential, rng), {by_line, 0.2}, 65'539});  // n^2 exceeds 32 bits
   judge_weights(cases, rng);
-  judge_one_call(u_of({by_line, 0.5}, rng), 200, 16, rng);
+  expect_random_samples(u_of({by_line, 0.5}, 200, rng), 1, 16, rng);
 }
 
 CHECK_CASE("2.4 one sample has no standard error", "[2.4][points:1][edge][needs:2.1]") {
@@ -83,8 +84,8 @@ CHECK_CASE("2.4 points without a usable density add nothing", "[2.4][points:2][n
 }
 
 CHECK_CASE("2.4 the u are uniform and independent", "[2.4][points:2][needs:2.1]") {
-  judge_one_call(u_of({by_line, -0.7}, rng), 20'000, 53, rng);
-  judge_calls_in_turn(u_of({by_uniform, 0}, rng), 16, 300, rng);
+  expect_random_samples(u_of({by_line, -0.7}, 20'000, rng), 1, 53, rng);
+  expect_random_calls(u_of({by_uniform, 0}, 16, rng), 300, rng);
   judge_period(rng(), [g = fresh(exponential, rng)](std::uint64_t n, std::uint64_t seed) {
     return MEASURE(importance_estimates, g, {by_line, -0.7}, n, seed, 1);
   });
@@ -184,17 +185,14 @@ void judge_weights(const std::vector<Case>& cases, Rng& rng) {
   judge_errors(errors);
 }
 
-Numbers u_of(const Sampling& p, Rng& rng) {
+Construction u_of(const Sampling& p, std::uint64_t n, Rng& rng) {
   const Function g = fresh(exponential, rng);
-  return {"the u of 2.4", 1, [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
+  return {numbers_in_turn("the u of 2.4"), [=](std::uint64_t seed, std::uint64_t calls) {
             const auto got = MEASURE(importance_traces, g, p, n, seed, calls);
-            const std::size_t all = calls * n;
-            const auto& seen = got.list_by_list({{calls, any_number},
-                                                 {all, unit},
-                                                 {all, any_number},
-                                                 {all, any_number},
-                                                 {all, any_number}});
-            return Uniforms{got.call, 1, seen.u};
+            std::vector<ListSpec> lists(5, {calls * n, any_number});
+            lists[0].count = calls;
+            lists[1].range = unit;
+            return Uniforms{got.call, n, got.list_by_list(lists).u};
           }};
 }
 

@@ -15,13 +15,14 @@ Measured<Estimates> by_area(const RectLight& light, std::uint64_t n, std::uint64
 
 void judge_formula(Rng& rng);
 Values square_distances(const Measured<Estimates>& ones, const RectLight& light, std::size_t count);
-Numbers places_on_a_line(bool along_x);
+/// The places of n points on a light that is a line.
+Construction places_on_a_line(bool along_x, std::uint64_t n);
 
 CHECK_CASE("2.7 irradiance from points on the light", "[2.7][points:6][needs:2.1][main]") {
   judge_formula(rng);
   for (const bool along_x : {true, false}) {
-    judge_calls_in_turn(places_on_a_line(along_x), 1, 5000, rng);
-    judge_one_call(places_on_a_line(along_x), 5000, 40, rng);
+    expect_random_calls(places_on_a_line(along_x, 1), 5000, rng);
+    expect_random_samples(places_on_a_line(along_x, 5000), 1, 40, rng);
   }
   const std::uint64_t replicates = 400;
   for (const auto& [placed, n] :
@@ -228,13 +229,13 @@ Values square_distances(const Measured<Estimates>& ones, const RectLight& light,
 }
 
 /// The position of one point on a light that is a line along x or y, accurate to 40 bits.
-Numbers places_on_a_line(bool along_x) {
-  return {along_x ? "the x of points on a light" : "the y of points on a light", 1,
-          [=](std::uint64_t n, std::uint64_t seed, std::uint64_t calls) {
+Construction places_on_a_line(bool along_x, std::uint64_t n) {
+  return {numbers_in_turn(along_x ? "the x of points on a light" : "the y of points on a light"),
+          [=](std::uint64_t seed, std::uint64_t calls) {
             RectLight line{0.5, 1.5, 0, 1e-17, 1, 1};
             if (!along_x) line = {0, 1e-17, 0.5, 1.5, 1, 1};
             const auto got = by_area(line, 1, seed, n * calls);
-            Uniforms places{got.call, 1};
+            Uniforms places{got.call, n};
             places.bits = 40;
             for (const double square : square_distances(got, line, n * calls)) {
               places.values.push_back(std::clamp(std::sqrt(square) - 0.5, 0.0, 1 - 0x1p-53));

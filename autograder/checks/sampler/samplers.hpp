@@ -5,12 +5,11 @@
 // alpha fail a correct answer with a total probability below 2e-7.
 
 #include "6-sampler/experiments.hpp"
-#include "checks/support/checks.hpp"
+#include "checks/support/constructions.hpp"
 
 namespace mc::checks {
 
 using Uses = std::vector<unsigned>;  ///< 1 is next(), 2 is next2()
-using Seeds = std::vector<std::uint64_t>;
 
 inline constexpr double alpha = 1e-8;
 inline const std::array<std::string, 5> sampler_kinds{"independent", "stratified", "blue_noise",
@@ -31,16 +30,22 @@ inline SampleSets columns_of(const std::string& kind, std::size_t n, const Seeds
   return {got.call, seeds.size(), n, dims, got.exactly(seeds.size() * n * dims, unit)};
 }
 
-/// The coordinates of one sample, one replicate per seed.
-inline Uniforms sample_of(const SampleSets& sets, std::size_t i) {
-  Uniforms numbers{sets.call, sets.dims};
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    for (std::size_t c = 0; c < sets.dims; ++c) numbers.values.push_back(sets.column(set, c)[i]);
-  }
-  numbers.name = [i](std::size_t c) {
-    return fmt::format("coordinate {} of sample {}, over seeds", c, i);
-  };
-  return numbers;
+/// The coordinates of sample i, one replicate per seed.
+inline SeededConstruction sample_of(const std::string& kind, std::size_t n, std::size_t i,
+                                    const Uses& uses, const Randomness& claim) {
+  return {claim, [=](const Seeds& seeds) {
+            const SampleSets sets = columns_of(kind, n, seeds, uses);
+            Uniforms numbers{sets.call, sets.dims};
+            for (std::size_t set = 0; set < sets.size(); ++set) {
+              for (std::size_t c = 0; c < sets.dims; ++c) {
+                numbers.values.push_back(sets.column(set, c)[i]);
+              }
+            }
+            numbers.name = [i](std::size_t c) {
+              return fmt::format("coordinate {} of sample {}, over seeds", c, i);
+            };
+            return numbers;
+          }};
 }
 
 /// The reason and the rule of a failure report.

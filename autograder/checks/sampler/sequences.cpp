@@ -36,19 +36,19 @@ CHECK_CASE("6.3 halton is one scrambled sequence", "[6.3][points:5][needs:5]") {
 
 CHECK_CASE("6.3 each seed and each dimension is randomized anew", "[6.3][points:4][needs:5]") {
   for (const std::string kind : {"sobol", "halton"}) {
-    const SampleSets got = columns_of(kind, 8, domain::seeds(rng, 400), repeated(25, {1, 2}));
+    const Randomness claim{
+        .words = "each dimension is randomized independently, before and after a new start",
+        .rule = "each dimension is scrambled by its own seed, with each new start by a new one",
+        .repeated = numbers_repeat,
+        .same = "one seed is used for several dimensions: use a different one for each"_likely,
+        .explain = [&]() -> Likely {
+          return columns_of(kind, 8, {fresh_seed(rng)}, {1}).column(0, 0)[0] > 0
+                     ? ""_likely
+                     : "an unscrambled sequence begins at the origin: scramble it"_likely;
+        }};
     for (const std::size_t i : {0u, 5u}) {
-      expect_independent_uniforms(
-          sample_of(got, i),
-          {.words = "each dimension is randomized independently, before and after a new start",
-           .rule = "each dimension is scrambled by its own seed, with each new start by a new one",
-           .repeated = numbers_repeat,
-           .same = "one seed is used for several dimensions: use a different one for each"_likely,
-           .explain = [&]() -> Likely {
-             return got.column(0, 0)[0] > 0
-                        ? ""_likely
-                        : "an unscrambled sequence begins at the origin: scramble it"_likely;
-           }});
+      expect_random_seeds(sample_of(kind, 8, i, repeated(25, {1, 2}), claim),
+                          {domain::seeds(rng, 400)});
     }
   }
 }
@@ -338,11 +338,10 @@ void check_lattice(const std::string& kind, Rng& rng) {
   }
   require_value(call);
   check_later_rounds(kind, rng);
-  const SampleSets got = columns_of(kind, 4, domain::seeds(rng, 1000), repeated(9, {2}));
-  expect_independent_uniforms(
-      sample_of(got, 3), {.words = "each dimension has a random shift",
-                          .rule = "each dimension has its own random shift at each new start",
-                          .same = "one shift for several dimensions: each needs its own"_likely});
+  const Randomness claim{.words = "each dimension has a random shift",
+                         .rule = "each dimension has its own random shift at each new start",
+                         .same = "one shift for several dimensions: each needs its own"_likely};
+  expect_random_seeds(sample_of(kind, 4, 3, repeated(9, {2}), claim), {domain::seeds(rng, 1000)});
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 // compared with their exact variances. The submission sends points; it does not see the integrands.
 
 #include "3-stratification/experiments.hpp"
-#include "checks/support/checks.hpp"
+#include "checks/support/constructions.hpp"
 #include "checks/support/exact_stratified.hpp"
 
 namespace mc::checks {
@@ -13,14 +13,36 @@ using Sets = SampleSets;
 /// The alpha of each of the at most 110 random tests of lab 3: 5e-7 in total.
 constexpr double alpha = 4.5e-9;
 
-inline Randomness random_jitters(const std::string& task) {
-  return {.words = "points are uniform in the cells of " + task + ", and independent",
-          .alpha = alpha,
-          .rule = "each point is (i + u) / n with its own u, uniform in [0, 1)",
-          .repeated =
-              "random numbers repeat: draw new ones for each point, set, block and stream"_likely,
-          .same = "draw one for every coordinate"_likely};
-}
+/// Point sets with one point in each cell of their patterns.
+struct Stratified {
+  std::string task;
+  std::function<Sets(std::size_t sets, std::uint64_t seed)> make;  ///< sets in turn
+  std::vector<Pattern> patterns;
+  std::string rule;  ///< for points that do not show what is wrong
+
+  Sets some(std::size_t sets, Rng& rng) const { return make(sets, fresh_seed(rng)); }
+
+  /// Exactly one point in each cell.
+  void expect_cells(std::size_t sets, Rng& rng) const {
+    expect_one_in_each_cell(some(sets, rng), patterns, rule);
+  }
+  /// New points in each set and for each seed.
+  void expect_new_points(Rng& rng) const { expect_fresh(some(2, rng), some(1, rng), patterns); }
+
+  /// The places of points in their cells, to be judged by expect_random_calls().
+  Construction jitters(const Likely& same = "draw one for every coordinate"_likely) const {
+    return {
+        {.words = "points are uniform in the cells of " + task + ", and independent",
+         .alpha = alpha,
+         .rule = "each point is (i + u) / n with its own u, uniform in [0, 1)",
+         .repeated =
+             "random numbers repeat: draw new ones for each point, set, block and stream"_likely,
+         .same = same},
+        [*this](std::uint64_t seed, std::size_t sets) {
+          return jitters_of(make(sets, seed), patterns, rule);
+        }};
+  }
+};
 
 using IntoGrid = Call(std::uint64_t size_x, std::uint64_t size_y, Grid grid);
 

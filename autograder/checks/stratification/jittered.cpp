@@ -9,8 +9,13 @@ namespace {
 
 const std::string one_in_each = "one point in each stratum: (i + u) / N for i = 0 … N-1";
 
-Sets lines(std::size_t n, std::size_t sets, std::uint64_t seed) {
-  return sets_from_columns(MEASURE(stratified_1d, n, sets, seed), n, 1, sets, n);
+Stratified line(std::size_t n) {
+  return {"3.1",
+          [=](std::size_t sets, std::uint64_t seed) {
+            return sets_from_columns(MEASURE(stratified_1d, n, sets, seed), n, 1, sets, n);
+          },
+          {line_of(n)},
+          one_in_each};
 }
 
 /// Point i of n lies in stratum i, for all i.
@@ -18,41 +23,32 @@ void require_order(const Sets& sets);
 
 CHECK_CASE("3.1 one point in each stratum and in order", "[3.1][main][points:4]") {
   for (const std::size_t n : {std::size_t{12}, std::size_t{100}, 20 + rng() % 1000}) {
-    require_order(lines(n, 2, fresh_seed(rng)));
+    require_order(line(n).some(2, rng));
   }
-  expect_fresh(lines(64, 2, fresh_seed(rng)), lines(64, 1, fresh_seed(rng)), {{line_of(64)}});
+  line(64).expect_new_points(rng);
 }
 
 CHECK_CASE("3.1 any number of strata", "[3.1][edge][points:2]") {
   for (const std::size_t n : domain::sizes(999983, rng)) {
-    require_order(lines(n, n < 5000 ? 2 : 1, fresh_seed(rng)));
+    require_order(line(n).some(n < 5000 ? 2 : 1, rng));
   }
-  const std::vector<Pattern> long_line{line_of(32000)};  // other code may write many points
-  expect_independent_uniforms(jitters_of(lines(32000, 2, fresh_seed(rng)), long_line, one_in_each),
-                              random_jitters("3.1"));
+  expect_random_calls(line(32000).jitters(), 2, rng);  // other code may write many points
 }
 
 CHECK_CASE("3.1 each point is uniform in its stratum and independent", "[3.1][points:4]") {
   for (const std::size_t n : {16u, 37u, 100u, 1025u, 1u}) {
-    const std::size_t sets = std::max<std::size_t>(200, 20000 / n);
-    const std::uint64_t seed = fresh_seed(rng);
-    const std::vector<Pattern> line{line_of(n)};
-    const Uniforms jitters = jitters_of(lines(n, sets, seed), line, one_in_each);
-    expect_independent_uniforms(jitters, random_jitters("3.1"));
-    if (n > 40) continue;
-    const Uniforms other_seed = jitters_of(lines(n, sets, seed + 1), line, one_in_each);
-    expect_independent_uniforms(side_by_side(jitters, other_seed), random_jitters("3.1"));
+    expect_random_calls(line(n).jitters(), std::max<std::size_t>(200, 20000 / n), rng, n <= 40);
   }
 }
 
 CHECK_CASE("3.1 the error falls as N^-1.5", "[3.1][points:3]") {
   for (const std::size_t n : {64u, 16u, 256u}) {
-    expect_level(lines(n, 1000, fresh_seed(rng)),
+    expect_level(line(n).some(1000, rng),
                  level_of("exp(x)", sum_over_axes(exponential), strata_of(exponential, n)));
   }
   // Every stratum contains a whole period: mean 0, variance 1/2, kurtosis 3/2, like the whole line.
   constexpr double n = 64;
-  expect_level(lines(64, 1000, fresh_seed(rng)),
+  expect_level(line(64).some(1000, rng),
                {"cos(2 pi N x)", [](View x) { return std::cos(2 * std::numbers::pi * n * x[0]); },
                 0, 0.5 / n, 3 - 1.5 / n, 0,
                 "all variance of a wave with N periods is within the strata: nothing is gained"});
@@ -112,18 +108,21 @@ CHECK_CASE("3.2 any 64-bit number of cells", "[3.2][edge][points:1]") {
 const std::string one_in_each_of_plane =
     "each cell (i, j) gets one point, ((i + u) / nx, (j + v) / ny)";
 
-Sets jittered(Grid grid, std::size_t sets, std::uint64_t seed) {
-  return sets_from_xy(MEASURE(stratified_2d, grid, sets, seed), grid, sets);
+Stratified jittered(Grid grid) {
+  return {"3.3",
+          [=](std::size_t sets, std::uint64_t seed) {
+            return sets_from_xy(MEASURE(stratified_2d, grid, sets, seed), grid, sets);
+          },
+          {plane_of(grid)},
+          one_in_each_of_plane};
 }
 
 CHECK_CASE("3.3 one point in each cell", "[3.3][main][points:4]") {
-  const Grid wide{16, 4};
-  for (const Grid grid : {wide, Grid{8, 8}, Grid{3, 5}, Grid{10 + rng() % 40, 10 + rng() % 40}}) {
-    expect_one_in_each_cell(jittered(grid, 2, fresh_seed(rng)), {{plane_of(grid)}},
-                            one_in_each_of_plane);
+  for (const Grid grid :
+       {Grid{16, 4}, Grid{8, 8}, Grid{3, 5}, Grid{10 + rng() % 40, 10 + rng() % 40}}) {
+    jittered(grid).expect_cells(2, rng);
   }
-  expect_fresh(jittered(wide, 2, fresh_seed(rng)), jittered(wide, 1, fresh_seed(rng)),
-               {{plane_of(wide)}});
+  jittered({16, 4}).expect_new_points(rng);
 }
 
 CHECK_CASE("3.3 any grid", "[3.3][edge][points:2]") {
@@ -131,29 +130,18 @@ CHECK_CASE("3.3 any grid", "[3.3][edge][points:2]") {
        {Grid{100, 10}, Grid{33, 31}, Grid{129, 127}, Grid{1023, 3}, Grid{3, 1025}, Grid{257, 255},
         Grid{1, 4097}, Grid{65537, 1}, Grid{511, 9}, Grid{7, 1}, Grid{1, 11}, Grid{3, 1},
         Grid{1, 3}, Grid{2, 1}, Grid{1, 2}, Grid{1, 1}}) {
-    expect_one_in_each_cell(jittered(grid, 2, fresh_seed(rng)), {{plane_of(grid)}},
-                            one_in_each_of_plane);
+    jittered(grid).expect_cells(2, rng);
   }
   // The size that is timed, and a large one, for which a program may have other code.
   for (const auto& [grid, sets] : {std::pair<Grid, std::size_t>{{32, 32}, 100}, {{200, 160}, 1}}) {
-    const std::vector<Pattern> plane{plane_of(grid)};
-    expect_independent_uniforms(
-        jitters_of(jittered(grid, sets, fresh_seed(rng)), plane, one_in_each_of_plane),
-        random_jitters("3.3"));
+    expect_random_calls(jittered(grid).jitters(), sets, rng);
   }
 }
 
 CHECK_CASE("3.3 each point is uniform in its cell and independent", "[3.3][points:5]") {
   for (const Grid grid : {Grid{4, 4}, Grid{5, 3}, Grid{1, 7}, Grid{31, 33}, Grid{1, 1}}) {
     const std::size_t sets = std::max<std::size_t>(200, 20000 / grid.nx / grid.ny);
-    const std::uint64_t seed = fresh_seed(rng);
-    const std::vector<Pattern> plane{plane_of(grid)};
-    const Uniforms jitters = jitters_of(jittered(grid, sets, seed), plane, one_in_each_of_plane);
-    expect_independent_uniforms(jitters, random_jitters("3.3"));
-    if (grid.nx != 4) continue;
-    const Uniforms other_seed =
-        jitters_of(jittered(grid, sets, seed + 1), plane, one_in_each_of_plane);
-    expect_independent_uniforms(side_by_side(jitters, other_seed), random_jitters("3.3"));
+    expect_random_calls(jittered(grid).jitters(), sets, rng, grid.nx == 4);
   }
 }
 
@@ -164,7 +152,7 @@ CHECK_CASE("3.3 the error falls as 1/N and across an edge as N^-3/4", "[3.3][poi
   };
   // Jitter shared by a row of cells gives 1.2 times the variance: 9000 sets detect that.
   for (const auto& [side, sets] : {std::pair<std::size_t, std::size_t>{8, 9000}, {16, 1000}}) {
-    const Sets got = jittered({side, side}, sets, fresh_seed(rng));
+    const Sets got = jittered({side, side}).some(sets, rng);
     const auto axis = strata_of(gaussian, side);
     expect_level(got,
                  level_of("exp(-x^2-y^2)", product_over_axes(gaussian), product_of(axis, axis)));
@@ -176,7 +164,7 @@ CHECK_CASE("3.3 the error falls as 1/N and across an edge as N^-3/4", "[3.3][poi
 
 CHECK_CASE("3.3 edges and waves have their exact variances", "[3.3][points:1]") {
   constexpr std::size_t side = 8, n = side * side;
-  const Sets got = jittered({side, side}, 4000, fresh_seed(rng));
+  const Sets got = jittered({side, side}).some(4000, rng);
   // The diagonal halves `side` cells, of variance 1/4 and kurtosis 1 each.
   expect_level(got, {"1 where y < x", [](View x) { return x[1] < x[0] ? 1.0 : 0.0; }, 0.5,
                      side * 0.25 / (n * n), 3 - 2.0 / side, 0.25 / n,
@@ -211,12 +199,14 @@ CHECK_CASE("3.10 blocks of any length have their strata",
   const std::string rest = "the last block may be shorter than the others";
   const std::size_t some = 3000 + rng() % 5000;
   for (const std::size_t n : {std::size_t{4099}, some, std::size_t{500009}}) {
-    const std::vector<Pattern> line{line_of(n)};
-    expect_independent_uniforms(jitters_of(lines(n, 1, fresh_seed(rng)), line, rest),
-                                random_jitters("3.1"));
+    Stratified blocks = line(n);
+    blocks.rule = rest;
+    expect_random_calls(blocks.jitters(), 1, rng);
   }
   for (const Grid grid : {Grid{1 + rng() % 30, some}, Grid{4099, 1}, Grid{1000, 500}}) {
-    expect_one_in_each_cell(jittered(grid, 1, fresh_seed(rng)), 0, plane_of(grid), rest);
+    Stratified blocks = jittered(grid);
+    blocks.rule = rest;
+    blocks.expect_cells(1, rng);
   }
 }
 

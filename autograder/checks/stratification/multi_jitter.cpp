@@ -5,24 +5,35 @@
 namespace mc::checks {
 namespace {
 
-const std::string fine_strata = "each column of cells has ny strata of x, each row nx strata of y";
+Stratified multi_jittered(Grid grid) {
+  const std::size_t n = grid.nx * grid.ny;
+  return {"3.7",
+          [=](std::size_t sets, std::uint64_t seed) {
+            return sets_from_xy(MEASURE(multi_jittered, grid, sets, seed), grid, sets);
+          },
+          {plane_of(grid), line_of(n, 0), line_of(n, 1)},
+          "each column of cells has ny strata of x, each row nx strata of y"};
+}
 
-Sets multi_jittered(Grid grid, std::size_t sets, Rng& rng) {
-  return sets_from_xy(MEASURE(multi_jittered, grid, sets, fresh_seed(rng)), grid, sets);
+/// The same, as points in the strata of the axes, or in the cells.
+Stratified in_strata(Grid grid) {
+  Stratified made = multi_jittered(grid);
+  made.patterns.erase(made.patterns.begin());
+  return made;
+}
+Stratified in_cells(Grid grid) {
+  Stratified made = multi_jittered(grid);
+  made.patterns.resize(1);
+  return made;
 }
 
 void expect_strata(const std::vector<Grid>& grids, Rng& rng) {
-  for (const Grid grid : grids) {
-    const std::size_t n = grid.nx * grid.ny;
-    const Pattern patterns[] = {plane_of(grid), line_of(n, 0), line_of(n, 1)};
-    expect_one_in_each_cell(multi_jittered(grid, 2, rng), patterns, fine_strata);
-  }
+  for (const Grid grid : grids) multi_jittered(grid).expect_cells(2, rng);
 }
 
 CHECK_CASE("3.7 strata of the plane and of both axes at once", "[3.7][main][points:4]") {
   expect_strata({{8, 8}, {16, 4}, {3, 5}, {5 + rng() % 30, 5 + rng() % 30}}, rng);
-  expect_fresh(multi_jittered({8, 8}, 2, rng), multi_jittered({8, 8}, 1, rng),
-               {{line_of(64, 0), line_of(64, 1)}});
+  in_strata({8, 8}).expect_new_points(rng);
 }
 
 CHECK_CASE("3.7 any grid", "[3.7][edge][points:1]") {
@@ -44,10 +55,8 @@ CHECK_CASE("3.7 any grid", "[3.7][edge][points:1]") {
 
 CHECK_CASE("3.7 each point is uniform in its strata of x and y", "[3.7][points:1]") {
   for (const Grid grid : {Grid{4, 3}, Grid{1, 4}, Grid{32, 31}}) {
-    const std::size_t n = grid.nx * grid.ny;
-    const std::vector<Pattern> axes{line_of(n, 0), line_of(n, 1)};
-    const Sets got = multi_jittered(grid, std::max<std::size_t>(100, 24000 / n), rng);
-    expect_independent_uniforms(jitters_of(got, axes, fine_strata), random_jitters("3.7"));
+    const std::size_t sets = std::max<std::size_t>(100, 24000 / (grid.nx * grid.ny));
+    expect_random_calls(in_strata(grid).jitters(), sets, rng);
   }
 }
 
@@ -57,8 +66,7 @@ CHECK_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]"
   for (const Grid grid : {Grid{4, 3}, Grid{3, 3}, Grid{2, 2}, Grid{1, 5}, Grid{33, 2}, Grid{2, 35},
                           Grid{2, 601}, Grid{599, 2}}) {
     const std::size_t n = grid.nx * grid.ny, sets = std::min<std::size_t>(8000, 600'000 / n);
-    const std::vector<Pattern> plane{plane_of(grid)};
-    const Uniforms places = jitters_of(multi_jittered(grid, sets, rng), plane, fine_strata);
+    const Uniforms places = in_cells(grid).jitters().numbers(fresh_seed(rng), sets);
     const Randomness claim{
         .words =
             fmt::format("a point of {} x {} cells lies anywhere in its cell", grid.nx, grid.ny),
@@ -81,7 +89,7 @@ CHECK_CASE("3.7 each point is uniform in its cell", "[3.7][points:4][needs:3.4]"
 CHECK_CASE("3.7 a sum is estimated as in one dimension", "[3.7][points:1]") {
   Level sum = level_of("exp(x) + exp(y)", sum_over_axes(exponential), strata_of(exponential, 64));
   sum.mean *= 2, sum.variance *= 2, sum.independent *= 2;  // two independent terms
-  expect_level(multi_jittered({8, 8}, 1000, rng), sum);
+  expect_level(multi_jittered({8, 8}).some(1000, rng), sum);
 }
 
 REFUSAL_CASES("3.7", "grids of another size are refused", "0.75", "the refusals name the argument",

@@ -139,29 +139,28 @@ void expect_random_permutations(const Permutations& orders, const Randomness& cl
   if (signs.values.size() >= 200) expect_independent_uniforms(signs, of_signs, true);
 }
 
-Permutations orders_of(const Sets& sets, std::span<const Pattern> patterns,
-                       const std::string& elsewhere) {
-  Permutations orders{sets.call, sets.n};
-  for (std::size_t set = 0; set < sets.size(); ++set) {
-    for (const Pattern& pattern : patterns) {
-      orders.add(expect_one_in_each_cell(sets, set, pattern, elsewhere));
+Permutations orders_of(const Stratified& made, std::size_t sets, Rng& rng) {
+  const Sets got = made.some(sets, rng);
+  Permutations orders{got.call, got.n};
+  for (std::size_t set = 0; set < sets; ++set) {
+    for (const Pattern& pattern : made.patterns) {
+      orders.add(expect_one_in_each_cell(got, set, pattern, made.rule));
     }
   }
   return orders;
 }
 
-Permutations meetings_of(const Sets& sets, std::span<const Pattern> patterns,
-                         const std::string& elsewhere, Rng& rng) {
-  const Permutations all = orders_of(sets, patterns, elsewhere);
-  Permutations meetings{sets.call, sets.n};
-  Order turn(patterns.size()), order(sets.n);
+Permutations meetings_of(const Stratified& made, std::size_t sets, Rng& rng) {
+  const Permutations all = orders_of(made, sets, rng);
+  Permutations meetings{all.call, all.n};
+  Order turn(made.patterns.size()), order(all.n);
   std::iota(turn.begin(), turn.end(), 0);
-  for (std::size_t first = 0; first < all.size(); first += patterns.size()) {
+  for (std::size_t first = 0; first < all.size(); first += turn.size()) {
     std::ranges::shuffle(turn, rng);
     for (std::size_t p = 0; p + 1 < turn.size(); p += 2) {
       const auto from = all[first + turn[p]], to = all[first + turn[p + 1]];
       const bool turns = rng() % 2 == 0;  // one may be the reverse of the other
-      for (std::size_t k = 0; k < sets.n; ++k) order[from[k]] = to[turns ? sets.n - 1 - k : k];
+      for (std::size_t k = 0; k < all.n; ++k) order[from[k]] = to[turns ? all.n - 1 - k : k];
       meetings.add(order);
     }
   }

@@ -33,11 +33,10 @@ void expect_random_permutations(const Permutations& orders, const Randomness& cl
 /// first 5000 have moved before, so the values show the choices, in the order or its inverse.
 void expect_fine_choices(const Permutations& orders, Randomness claim, Rng& rng);
 
-Permutations orders_of(const Sets& sets, std::span<const Pattern> patterns,
-                       const std::string& elsewhere);
+/// The cells of the points of some sets in turn, in the order of the points, for each pattern.
+Permutations orders_of(const Stratified& made, std::size_t sets, Rng& rng);
 
 /// For random pairs of patterns of each set, the order of one (or its reverse) in the other.
-Permutations meetings_of(const Sets& sets, std::span<const Pattern> patterns,
-                         const std::string& elsewhere, Rng& rng);
+Permutations meetings_of(const Stratified& made, std::size_t sets, Rng& rng);
 
 }  // namespace mc::checks

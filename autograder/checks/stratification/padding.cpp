@@ -69,38 +69,34 @@ CHECK_CASE("3.4 shuffle keeps every value", "[3.4][points:1]") {
   }
 }
 
-const std::string pattern_of_each =
-    "dimensions (0,1), (2,3), … are jittered grids; an odd last dimension is a pattern of 3.1";
-
-Sets padded(std::size_t n, std::size_t dims, std::size_t sets, Rng& rng) {
-  return sets_from_columns(MEASURE(stratified, n, dims, sets, fresh_seed(rng)), n, dims, sets, n);
-}
-
-std::vector<Pattern> padded_patterns(std::size_t n, std::size_t dims) {
-  const Grid grid = squarest(n);
+Stratified padded(std::size_t n, std::size_t dims) {
   std::vector<Pattern> patterns;
-  for (std::size_t d = 0; d + 1 < dims; d += 2) patterns.push_back(plane_of(grid, d));
+  for (std::size_t d = 0; d + 1 < dims; d += 2) patterns.push_back(plane_of(squarest(n), d));
   if (dims % 2 == 1) patterns.push_back(line_of(n, dims - 1));
-  return patterns;
+  return {"3.4",
+          [=](std::size_t sets, std::uint64_t seed) {
+            return sets_from_columns(MEASURE(stratified, n, dims, sets, seed), n, dims, sets, n);
+          },
+          patterns,
+          "dimensions (0,1), (2,3), … are jittered grids; an odd last dimension is a pattern of "
+          "3.1"};
 }
 
 CHECK_CASE("3.4 every pair of dimensions is a jittered grid",
            "[3.4][points:4][needs:3.1][needs:3.2][needs:3.3]") {
   for (const std::size_t n : {64u, 12u, 101u, 1025u, 65u, 7u, 3u, 2u, 1u}) {
     for (const std::size_t dims : {4u, 2u, 7u, 3u, 9u, 17u, 33u, 1u}) {
-      expect_one_in_each_cell(padded(n, dims, 1, rng), padded_patterns(n, dims), pattern_of_each);
+      padded(n, dims).expect_cells(1, rng);
     }
   }
   for (const std::size_t n : {65539u, 66049u}) {  // one row, and a square
-    expect_one_in_each_cell(padded(n, 3, 1, rng), padded_patterns(n, 3), pattern_of_each);
+    padded(n, 3).expect_cells(1, rng);
   }
-  expect_fresh(padded(64, 5, 2, rng), padded(64, 5, 1, rng), padded_patterns(64, 5));
-  Randomness claim = random_jitters("3.4");
-  claim.same =
+  padded(64, 5).expect_new_points(rng);
+  const Likely same =
       "one pattern is used for several pairs of dimensions: make a new one for each"_likely;
   for (const auto& [n, dims] : {std::pair<std::size_t, std::size_t>{4, 5}, {6, 9}, {6, 1}}) {
-    expect_independent_uniforms(
-        jitters_of(padded(n, dims, 2000, rng), padded_patterns(n, dims), pattern_of_each), claim);
+    expect_random_calls(padded(n, dims).jitters(same), 2000, rng);
   }
 }
 
@@ -112,9 +108,7 @@ CHECK_CASE("3.4 patterns are shuffled independently", "[3.4][points:4][needs:3.2
       "the patterns are always combined in the same way: shuffle each one separately"_likely);
   for (const auto& [n, dims, sets] :
        {Sizes{30, 27, 350}, {4, 5, 5000}, {64, 8, 1000}, {10000, 5, 1}}) {
-    expect_random_permutations(
-        meetings_of(padded(n, dims, sets, rng), padded_patterns(n, dims), pattern_of_each, rng),
-        claim, rng);
+    expect_random_permutations(meetings_of(padded(n, dims), sets, rng), claim, rng);
   }
 }
 
@@ -123,10 +117,10 @@ CHECK_CASE("3.4 the first n of N are a fair sample", "[3.4][points:2][needs:3.2]
       "shuffle the first pattern too, for an estimate that stops early"_likely;
   for (const auto& [n, dims, sets] :
        {Sizes{4, 5, 2000}, {4, 2, 5000}, {4, 1, 2000}, {30, 3, 500}, {30, 9, 500}, {10000, 2, 1}}) {
-    const auto patterns = padded_patterns(n, dims);
-    const Permutations orders = orders_of(padded(n, dims, sets, rng), patterns, pattern_of_each);
+    const Stratified points = padded(n, dims);
+    const Permutations orders = orders_of(points, sets, rng);
     bool stays = true;  // the first pattern has the same order in every set
-    for (std::size_t k = 0; k < orders.size(); k += patterns.size()) {
+    for (std::size_t k = 0; k < orders.size(); k += points.patterns.size()) {
       stays = stays && std::equal(orders[k].begin(), orders[k].end(), orders[0].begin());
     }
     const Likely first = stays && sets > 1 ? shuffled_too : Likely{};
@@ -138,7 +132,7 @@ CHECK_CASE("3.4 the first n of N are a fair sample", "[3.4][points:2][needs:3.2]
   // With strata drawn without replacement, (N-n)/(N-1) of the variance between them remains.
   const auto axis = strata_of(gaussian, 8);
   const auto cells = product_of(axis, axis);
-  const Sets plane = padded(64, 2, 1000, rng);
+  const Sets plane = padded(64, 2).some(1000, rng);
   for (const std::size_t used : {20u, 32u}) {
     expect_level(plane,
                  {"exp(-x^2-y^2)", product_over_axes(gaussian), mean_of(cells),
