@@ -23,8 +23,6 @@ namespace {
 SampleSets patterns(double radius, std::size_t sets, Rng& rng);
 double mean_size(const SampleSets& sets);
 double mean_uncovered(const SampleSets& sets, double radius, Rng& rng);
-/// The first number in a text that lies between low and high.
-std::optional<double> number_between(const std::string& text, double low, double high);
 
 CHECK_CASE("4.3 no two points are closer than the radius", "[4.3][main][points:9][needs:4.1]") {
   const SampleSets all = patterns(uniform(rng, 0.05, 0.06), 40, rng);
@@ -116,38 +114,6 @@ CHECK_CASE("4.3 points fall anywhere on the torus", "[4.3][points:2][needs:4.1]"
   require_everywhere(patterns(uniform(rng, 0.05, 0.06), 40, rng));
 }
 
-/// Radii that are not positive, or need too many points.
-std::vector<InvalidCall> wrong_radii() {
-  std::vector<InvalidCall> calls;
-  for (const double radius : {-1.0, 0.0, -0.0, -1e-9, nan, -infinity, 1e-200, 5e-324, 1e-7, 1e-9,
-                              std::nextafter(1e-5, 0)}) {
-    calls.push_back({MEASURE_OUTCOME(poisson_disk, radius, 1, 1), "radius",
-                     radius > 0 ? "the points do not fit into memory" : "a distance is positive"});
-  }
-  return calls;
-}
-
-CHECK_CASE("4.3 a radius that makes no sense is refused", "[4.3][edge][points:2]") {
-  expect_refused(wrong_radii());
-}
-
-CHECK_CASE("4.3 the message for a radius too small for memory contains the number of points",
-           "[4.3][edge][points:1]") {
-  expect_argument_named(wrong_radii());
-  for (const double radius : {1e-7, uniform(rng, 1, 9) * 1e-9, uniform(rng, 1, 9) * 1e-12}) {
-    const auto call = MEASURE_OUTCOME(poisson_disk, radius, 1, 1);
-    const double squares = 1 / (radius * radius);
-    // Disks of half the radius are at most as dense as a triangular lattice; disks of the radius
-    // cover, so there are at least as many as in the thinnest covering (Kershner 1939).
-    expect_that(
-        number_between(call.outcome.bytes, 0.384 * squares, 1.155 * squares).has_value(),
-        fmt::format("{} threw std::invalid_argument(\"{}\")", call.text, call.outcome.bytes),
-        fmt::format("a message with the number of points: about {:.2g}", 0.7 * squares),
-        "between 0.385 / radius^2 (fewer do not cover) and 1.155 / radius^2 (more do not fit)",
-        "the number is about 0.7 / radius^2, printed by std::to_string or %g: 1.5e+12");
-  }
-}
-
 SampleSets patterns(double radius, std::size_t sets, Rng& rng) {
   const SampleSets all =
       random_sets(MEASURE(poisson_disk, radius, sets, fresh_seed(rng)), radius, sets);
@@ -170,14 +136,6 @@ double mean_uncovered(const SampleSets& sets, double radius, Rng& rng) {
     sum += uncovered_area(sets.column(set, 0), sets.column(set, 1), radius, 1000, uniform(rng));
   }
   return sum / static_cast<double>(sets.size());
-}
-
-std::optional<double> number_between(const std::string& text, double low, double high) {
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    const double number = std::strtod(text.c_str() + at, nullptr);
-    if (number >= low && number <= high) return number;
-  }
-  return {};
 }
 
 }  // namespace

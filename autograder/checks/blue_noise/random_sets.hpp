@@ -32,16 +32,6 @@ using experiments::Points;
 
 inline constexpr double below_one = 1 - eps / 2;
 
-/// Calls with x and y of different or zero sizes.
-inline std::vector<InvalidCall> without_points(Call (*into)(std::uint64_t x, std::uint64_t y)) {
-  std::vector<InvalidCall> calls;
-  for (const auto& [x, y] : {std::pair{3u, 4u}, {4u, 3u}, {0u, 3u}, {3u, 0u}, {0u, 0u}}) {
-    calls.push_back({into(x, y), x == y ? "x|y|size|point" : "x|y|size",
-                     "x and y have the same size, at least 1"});
-  }
-  return calls;
-}
-
 inline Points uniform_points(Rng& rng, std::size_t n) {
   Points points;
   points.x = uniform_values(rng, n, 0, 1);

@@ -10,9 +10,6 @@ namespace {
 /// Compares the periodogram of some points with its exact values.
 void compare_power(const Points& points, int kmax);
 void compare_rings(const std::vector<int>& sizes, Rng& rng);
-/// Calls in which the size of `power` does not fit kmax.
-void add_wrong_sizes(std::vector<InvalidCall>& calls,
-                     const std::function<Call(int kmax, std::uint64_t size)>& made);
 /// A shifted grid of columns x rows points: the power is N if both waves fit, else 0.
 Points grid_of(int columns, int rows, Rng& rng);
 
@@ -48,50 +45,12 @@ CHECK_CASE("4.4 points whose waves cancel or agree", "[4.4][points:7]") {
   for (const auto& [points, kmax] : cases) compare_power(points, kmax);
 }
 
-std::vector<InvalidCall> wrong_sizes() {
-  std::vector<InvalidCall> calls = without_points([](std::uint64_t x, std::uint64_t y) {
-    return MEASURE_OUTCOME(periodogram_into, x, y, 1, 9);
-  });
-  add_wrong_sizes(calls, [](int kmax, std::uint64_t size) {
-    return MEASURE_OUTCOME(periodogram_into, 3, 3, kmax, size);
-  });
-  return calls;
-}
-
-REFUSAL_CASES("4.4", "misuse of periodogram is refused", "2", "a refusal names the argument", "1",
-              wrong_sizes())
-
 CHECK_CASE("4.5 the mean over each ring", "[4.5][main][points:4]") {
   compare_rings({5, 24, 10, 20 + static_cast<int>(rng() % 20)}, rng);
 }
 
 CHECK_CASE("4.5 any number of rings", "[4.5][edge][points:1]") {
   compare_rings({63, 129, 300, 3, 2, 1}, rng);
-}
-
-std::vector<InvalidCall> wrong_rings() {
-  std::vector<InvalidCall> calls;
-  add_wrong_sizes(calls, [](int kmax, std::uint64_t size) {
-    return MEASURE_OUTCOME(radial_power, Values(size, 1.0), kmax);
-  });
-  return calls;
-}
-
-REFUSAL_CASES("4.5", "misuse of radial_power is refused", "0.5", "a refusal names the argument",
-              "0.5", wrong_rings())
-
-void add_wrong_sizes(std::vector<InvalidCall>& calls,
-                     const std::function<Call(int kmax, std::uint64_t size)>& made) {
-  for (const auto& [kmax, size] :
-       {std::pair{0, 1u}, {-1, 1u}, {-3, 1u}, {-2, 9u}, {std::numeric_limits<int>::min(), 1u}}) {
-    calls.push_back({made(kmax, size), "kmax", "kmax is at least 1"});
-  }
-  for (const std::uint64_t size : {0u, 9u, 24u, 26u, 49u}) {
-    calls.push_back({made(2, size), "power", "(2 kmax + 1)^2 = 25 values are needed"});
-  }
-  calls.push_back({made(1 << 15, 131073), "power",
-                   "65537^2 = 2^32 + 131073 values are needed: the number overflows 32 bits",
-                   "(2 kmax + 1)^2 overflows an int: compute it in std::size_t"});
 }
 
 Points grid_of(int columns, int rows, Rng& rng) {

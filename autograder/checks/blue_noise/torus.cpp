@@ -71,26 +71,6 @@ CHECK_CASE("4.6 any number of points and copies also at the upper edges", "[4.6]
   }
 }
 
-std::vector<InvalidCall> wrong_tiles() {
-  std::vector<InvalidCall> calls;
-  for (const int copies : {0, -1, -7}) {
-    calls.push_back(
-        {MEASURE_OUTCOME(tile_of, 3, 2, copies), "copies", "there is at least one copy"});
-  }
-  for (const int copies : {2, 1}) {
-    calls.push_back(
-        {MEASURE_OUTCOME(tile_of, 0, 2, copies), "pattern", "the pattern has no points"});
-    for (const std::uint64_t dims : {0u, 1u, 3u}) {
-      calls.push_back({MEASURE_OUTCOME(tile_of, 3, dims, copies), "pattern",
-                       "a pattern of the square has two dimensions"});
-    }
-  }
-  return calls;
-}
-
-REFUSAL_CASES("4.6", "misuse of tile is refused", "1", "a refusal names the argument", "1",
-              wrong_tiles())
-
 void compare_distances(const Pairs& pairs) {
   const auto& [a, b] = pairs;
   Comparison distances{

@@ -112,32 +112,6 @@ TEST_CASE("5.6 many points do not take long", "[5.6][points:1][edge]") {
   many.expect();
 }
 
-std::vector<InvalidCall> no_points_of_the_square() {
-  const std::string none = "there are no points";
-  std::vector<InvalidCall> calls{
-      {MEASURE_OUTCOME(star_discrepancy_1d, {}), "x|point|empty", none},
-      {MEASURE_OUTCOME(star_discrepancy_2d, {}, {}), "x|y|point|empty", none}};
-  for (const auto& [x, y] :
-       {std::pair{Values{0.1, 0.2}, Values{0.3}}, {{0.1}, {0.3, 0.4}}, {{}, {0.3}}, {{0.3}, {}}}) {
-    calls.push_back({MEASURE_OUTCOME(star_discrepancy_2d, x, y), "x|y|size|point",
-                     "x and y must have the same size"});
-  }
-  for (const double outside : {1.5, -0.1, -1e-300, 1 + 2 * half_ulp, infinity, -infinity, nan}) {
-    const std::string because = "a point has coordinates in [0, 1]";
-    calls.push_back({MEASURE_OUTCOME(star_discrepancy_1d, {0.5, outside}), "x", because});
-    calls.push_back({MEASURE_OUTCOME(star_discrepancy_1d, {outside, 0.5}), "x", because});
-    calls.push_back({MEASURE_OUTCOME(star_discrepancy_1d, {outside}), "x", because});
-    calls.push_back(
-        {MEASURE_OUTCOME(star_discrepancy_2d, {0.5, 0.1}, {0.2, outside}), "y", because});
-    calls.push_back(
-        {MEASURE_OUTCOME(star_discrepancy_2d, {outside, 0.1}, {0.2, 0.3}), "x", because});
-  }
-  return calls;
-}
-
-REFUSAL_CASES("5.6", "points outside the unit square are refused", "1",
-              "a refusal names its argument", "1", no_points_of_the_square())
-
 struct Boxes {
   bool open = true, closed = true;
   bool to_1_right = true, to_1_above = true;  ///< includes boxes that end at 1, not at a point

@@ -10,6 +10,7 @@ inline constexpr double half_ulp = 0x1p-53;  // half a unit in the last place of
 /// The header's bound, plus the rounding error of the exact value.
 inline constexpr double inverse_tolerance = 4.5 * half_ulp;
 inline constexpr std::uint64_t last_index = std::numeric_limits<std::uint64_t>::max();
+inline constexpr std::uint64_t sobol_end = std::uint64_t{1} << 32;  // of the indices of 5.5
 
 inline double wrapped(double x) {
   return x - std::floor(x);
@@ -67,8 +68,6 @@ inline Values sobol_points(unsigned dimension, std::uint64_t first, std::size_t 
   const auto v = sobol_directions(dimension);
   return each(domain::in_a_row(first, n), [&](std::uint64_t i) { return sobol_value(v, i); });
 }
-
-inline const std::string past_the_end = "the last index is 2^64 - 1";
 
 /// The expected radical inverses of a call.
 struct Inverses {

@@ -58,12 +58,6 @@ CHECK_CASE("5.3 many axes and late points", "[5.3][points:3][needs:5.1]") {
   }
 }
 
-CHECK_CASE("5.3 points past the last index are refused", "[5.3][points:1][edge]") {
-  const std::string range = "first|points|point|index|indices";
-  expect_refused_by_name({{MEASURE_OUTCOME(halton, 3, 2, last_index - 1), range, past_the_end},
-                          {MEASURE_OUTCOME(halton, 2, 1, last_index), range, past_the_end}});
-}
-
 CHECK_CASE("5.4 Hammersley points", "[5.4][points:3][needs:5.3][main]") {
   for (const std::uint64_t dims : {2u, 3u, 9u}) {
     for (const std::uint64_t n : {std::uint64_t{256}, 2 + rng() % 1000}) check_hammersley(n, dims);
@@ -75,8 +69,6 @@ CHECK_CASE("5.4 any number of points and axes", "[5.4][points:2][needs:5.3]") {
   for (const std::uint64_t n : domain::sizes(5000, rng)) check_hammersley(n, 1 + n % 3);
   check_hammersley(70001, 2);
 }
-
-constexpr std::uint64_t sobol_end = std::uint64_t{1} << 32;
 
 CHECK_CASE("5.5 the first points of all 32 dimensions", "[5.5][points:7][main]") {
   for (unsigned d = 0; d < joe_kuo.size(); ++d) check_sobol(d, 0, 600);
@@ -100,20 +92,6 @@ CHECK_CASE("5.5 a column of Sobol' points has any size", "[5.5][points:2]") {
   }
   check_sobol(3, 5, 0);
 }
-
-std::vector<InvalidCall> no_such_points() {
-  const std::string dimensions = "the table has 32 dimensions, from 0 to 31";
-  const std::string indices = "the last index is 2^32 - 1", range = "first|column|index|indices";
-  return {{MEASURE_OUTCOME(sobol, 32, 0, 4), "dimension", dimensions},
-          {MEASURE_OUTCOME(sobol, 33, 0, 0), "dimension", dimensions},
-          {MEASURE_OUTCOME(sobol, 4294967295u, 0, 4), "dimension", dimensions},
-          {MEASURE_OUTCOME(sobol, 0, sobol_end - 2, 3), range, indices},
-          {MEASURE_OUTCOME(sobol, 31, sobol_end, 1), range, indices},
-          {MEASURE_OUTCOME(sobol, 1, last_index, 2), range, indices}};
-}
-
-REFUSAL_CASES("5.5", "Sobol' points that do not exist are refused", "1",
-              "a refusal names its argument", "1", no_such_points())
 
 template <class Points>
 void check_axes(const Points& got, std::uint64_t n, std::uint64_t dims, std::uint64_t first,

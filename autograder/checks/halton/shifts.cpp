@@ -91,12 +91,6 @@ CHECK_CASE("5.10 the tent transform folds the line", "[5.10][stretch]") {
   measured.exactly(x.size(), unit);  // 1/2 becomes the largest double below 1
 }
 
-CHECK_CASE("5.10 more dimensions than the vector has are refused", "[5.10][stretch][edge]") {
-  const std::string because = "lattice_vector has 16 numbers";
-  expect_refused_by_name({{MEASURE_OUTCOME(lattice, 4, 17, {1}), "points|dims", because},
-                          {MEASURE_OUTCOME(lattice, 2, 1000, {1}), "points|dims", because}});
-}
-
 /// Sums and differences below 2 have a rounding error of at most 2^-53: two for each of two points,
 /// and five more in the comparison. Twice that.
 constexpr double shift_tolerance = 18 * half_ulp;

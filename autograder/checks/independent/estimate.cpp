@@ -69,10 +69,6 @@ CHECK_CASE("2.2 one sample has no standard error", "[2.2][points:1][edge][needs:
   judge_errors(errors);
 }
 
-CHECK_CASE("2.2 n = 0 is refused", "[2.2][points:1][edge]") {
-  expect_refused({{MEASURE_OUTCOME(estimates, {exponential, 0, 1, 0}, 0, 1, 1), "n", no_mean}});
-}
-
 CHECK_CASE("2.2 the points are uniform and independent", "[2.2][points:8][needs:2.1]") {
   expect_random_samples(points_of(product, 20'000, rng), 2, 53, rng);
   expect_random_calls(points_of(five, 3, rng), 1000, rng);

@@ -43,12 +43,6 @@ CHECK_CASE("2.4 one sample has no standard error", "[2.4][points:1][edge][needs:
   judge_weights({{fresh(exponential, rng), {by_line, uniform(rng, -0.9, 0.9)}, 1}}, rng);
 }
 
-CHECK_CASE("2.4 n = 0 is refused", "[2.4][points:1][edge]") {
-  expect_refused(
-      {{MEASURE_OUTCOME(importance_estimates, {exponential, 0, 1, 0}, {by_uniform, 0}, 0, 1, 1),
-        "n", no_mean}});
-}
-
 CHECK_CASE("2.4 weights of any size and either sign", "[2.4][points:3][needs:2.1][needs:2.3]") {
   // x exp(-x) with a density r exp(-r x), r > 2: a correct estimator with an infinite variance.
   // Some of 20,000 weights are more than a hundred times the mean.

@@ -107,27 +107,6 @@ CHECK_CASE("2.3 the densities of the samples", "[2.3][points:4]") {
   }
 }
 
-CHECK_CASE("2.3 parameters without a density are refused", "[2.3][points:2][edge]") {
-  std::vector<InvalidCall> calls;
-  for (const double rate : {-1.0, 0.0, -1e-300, nan, -infinity}) {
-    for (const double u : {0.5, 0.0}) {  // 0 is the sample for any rate
-      calls.push_back(
-          {MEASURE_OUTCOME(sample_exponential, {u}, rate), "rate", "a rate is positive"});
-    }
-    for (const double x : {0.5, -2.0}) {  // the density is 0 for any rate
-      calls.push_back({MEASURE_OUTCOME(pdf_exponential, {x}, rate), "rate", "a rate is positive"});
-    }
-  }
-  const std::string because = "x^a has a finite integral over [0, 1] only for a > -1";
-  for (const double a : {-2.0, -1.0, -1 - eps, nan, -infinity}) {
-    for (const double x : {0.5, 0.0, -2.0, 2.0}) {
-      if (x >= 0 && x < 1) calls.push_back({MEASURE_OUTCOME(sample_power, {x}, a), "a", because});
-      calls.push_back({MEASURE_OUTCOME(pdf_power, {x}, a), "a", because});
-    }
-  }
-  expect_refused(calls);
-}
-
 // What the cases above use ------------------------------------------------------------------------
 
 void judge_values(const std::string& call, const Values& got, const char* argument, const Values& x,

@@ -43,21 +43,6 @@ CHECK_CASE("6.4 there are numbers for exactly N samples", "[6.4][edge][points:3]
   }
 }
 
-std::vector<InvalidCall> impossible() {
-  std::vector<InvalidCall> calls;
-  for (const std::string& kind : sampler_kinds) {
-    for (const std::uint64_t samples : {std::uint64_t{0}, std::uint64_t{most_samples} + 1,
-                                        std::uint64_t{1} << 32, ~std::uint64_t{0}}) {
-      calls.push_back({MEASURE_OUTCOME(columns, kind, samples, {1}, {}), "samples",
-                       "there must be at least one sample, and at most most_samples"});
-    }
-  }
-  return calls;
-}
-
-REFUSAL_CASES("6.4", "0 samples and too many are refused", "0.5", "a refusal names the argument",
-              "0.5", impossible())
-
 CHECK_CASE("6.4 the same seed gives the same numbers", "[6.4][points:4]") {
   for (const std::string& kind : sampler_kinds) {
     const std::uint64_t seed = fresh_seed(rng);

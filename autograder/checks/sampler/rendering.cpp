@@ -54,11 +54,6 @@ CHECK_CASE("6.5 all 64 bits of the seed count", "[6.5][points:1]") {
   results.expect("the mean over the samples of generate(samples, seed)", in_order);
 }
 
-CHECK_CASE("6.5 0 samples are refused", "[6.5][edge][points:1]") {
-  expect_refused_by_name({{MEASURE_OUTCOME(integrate_keyed, 1, 1, 2, 0, 1), "samples",
-                           "there is no mean of 0 samples"}});
-}
-
 // No kind has more than e times the variance of independent samples: that is the bound for a
 // scrambled (0,m,s)-net (Owen 1997), and the others have less. Six standard deviations of that are
 // exceeded once in 5e8 even if the bound is attained, and there are 70 such means.
@@ -180,27 +175,6 @@ CHECK_CASE("6.6 a picture may have no pixels", "[6.6][edge][points:0.5]") {
     pixels_of(MEASURE(render_keyed, 1, width, height, 1, 7), width, height);
   }
 }
-
-/// Pixels without samples; more pixels than most_samples, even if the product overflows.
-std::vector<InvalidCall> impossible_pictures() {
-  const std::string pixels = "more pixels than most_samples, even if width * height overflows";
-  std::vector<InvalidCall> calls{
-      {MEASURE_OUTCOME(render_keyed, 1, 2, 2, 0, 1), "spp", "a pixel is a mean of samples"},
-      {MEASURE_OUTCOME(render_keyed, 1, 0, 0, 0, 1), "spp",
-       "spp must not be 0, even without pixels"}};
-  const std::uint64_t side = std::uint64_t{1} << 32;
-  for (const auto& [width, height] : {std::pair{side >> 18, side >> 18},
-                                      {side >> 5, std::uint64_t{2}},
-                                      {std::uint64_t{2}, (side >> 6) + 1},
-                                      {side, side},
-                                      {2 * side, side / 2 + 1}}) {
-    calls.push_back({MEASURE_OUTCOME(render_keyed, 1, width, height, 1, 1), "scene", pixels});
-  }
-  return calls;
-}
-
-REFUSAL_CASES("6.6", "impossible pictures are refused", "0.5", "a refusal names the argument", "1",
-              impossible_pictures())
 
 /// The value of evaluation k, if it is of sample i of generate(n, seed).
 double value_of(const KeyedIntegral& one, std::uint64_t k, std::uint64_t i, std::uint64_t n,

@@ -37,30 +37,6 @@ CHECK_CASE("6.1 numbers of different seeds are independent", "[6.1][points:5][ne
   }
 }
 
-std::vector<InvalidCall> unknown_kinds() {
-  std::vector<InvalidCall> calls;
-  for (const std::string kind : {"random", "", "Sobol", "sobol ", "sobo", "blue noise"}) {
-    calls.push_back(
-        {MEASURE_OUTCOME(columns, kind, 2, {1}, {1}), "kind", "there is no such kind of sampler"});
-  }
-  return calls;
-}
-
-CHECK_CASE("6.1 unknown kinds are refused", "[6.1][edge][points:1]") {
-  expect_refused(unknown_kinds());
-}
-
-CHECK_CASE("6.1 the refusal names all kinds", "[6.1][edge][points:1]") {
-  expect_argument_named(unknown_kinds());
-  const Call refused = MEASURE_OUTCOME(columns, "random", 2, {1}, {1});
-  for (const std::string& known : sampler_kinds) {
-    expect_that(refused.outcome.bytes.find(known) != std::string::npos,
-                fmt::format("{}: threw \"{}\"", refused.text, refused.outcome.bytes),
-                fmt::format("a message that also names the kind {}", known),
-                "a list of all kinds helps a user who mistypes one", "");
-  }
-}
-
 // Of 40,009 numbers rounded to float 16 leave their stratum on average; of 10,007 only one.
 std::vector<std::uint64_t> sizes(Rng& rng) {
   auto all = domain::sizes(5000, rng);

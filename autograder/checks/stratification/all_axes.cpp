@@ -52,27 +52,6 @@ CHECK_CASE("3.5 the curse of dimension", "[3.5][points:2]") {
   }
 }
 
-std::vector<InvalidCall> wrong_powers() {
-  const auto made = [](std::uint64_t n, std::uint64_t dims, std::uint64_t per_axis) {
-    return MEASURE_OUTCOME(stratified_nd, n, dims, per_axis, 1, 1);
-  };
-  const std::string divide = "the product of 64-bit numbers wraps around: divide first";
-  const std::string name = "per_axis";
-  return {{made(9, 3, 2), name, "2^3 is not 9"},
-          {made(4, 3, 2), name, "2^3 is not 4"},
-          {made(16, 3, 2), name, "2^3 is not 16"},
-          {made(2, 1, 1), name, "1^1 is not 2"},
-          {made(1, 2, 3), name, "3^2 is not 1"},
-          {made(0, 2, 0), name, "an axis has at least one stratum"},
-          {made(4, 2, 0), name, "an axis has at least one stratum"},
-          {made(4, 2, (std::uint64_t{1} << 63) + 2), name,
-           "per_axis^2 = 2^126 + 2^65 + 4, which only in 64 bits is 4", divide},
-          {made(16, 40, 65536), name, "65536^40 is 0 in 64 bits", divide}};
-}
-
-REFUSAL_CASES("3.5", "sizes that are not a power of per_axis are refused", "0.25",
-              "the refusals name the argument", "0.25", wrong_powers())
-
 Stratified hypercube(std::size_t n, std::size_t dims) {
   return {"3.6",
           [=](std::size_t sets, std::uint64_t seed) {

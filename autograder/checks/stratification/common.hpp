@@ -44,36 +44,6 @@ struct Stratified {
   }
 };
 
-using IntoGrid = Call(std::uint64_t size_x, std::uint64_t size_y, Grid grid);
-
-/// Invalid calls of functions that fill a grid. In the last ones, nx * ny wraps around to 4 and 0.
-inline std::vector<InvalidCall> wrong_grids(IntoGrid into) {
-  // If the sizes differ, the grid does not fit one of them, and may be named, too.
-  const std::string grid = "grid|nx|ny", sizes = "x|y|size|grid|nx|ny";
-  const std::string wraps = "the product of 64-bit numbers wraps around: divide instead";
-  const std::uint64_t half = std::uint64_t{1} << 32;
-  const std::string of_points = "x and y are the coordinates of the same points",
-                    cells = "a grid has at least one cell";
-  return {{into(6, 5, {3, 2}), sizes, of_points},
-          {into(6, 7, {3, 2}), sizes, of_points},
-          {into(5, 6, {3, 2}), sizes, of_points},
-          {into(7, 6, {3, 2}), sizes, of_points},
-          {into(6, 0, {3, 2}), sizes, of_points},
-          {into(6, 6, {3, 3}), grid, "six points do not fill nine cells"},
-          {into(6, 6, {2, 2}), grid, "four cells do not hold six points"},
-          {into(6, 6, {6, 2}), grid, "six points do not fill twelve cells"},
-          {into(6, 6, {4, 1}), grid, "four cells do not hold six points"},
-          {into(0, 0, {0, 5}), grid, cells},
-          {into(0, 0, {5, 0}), grid, cells},
-          {into(0, 0, {0, 0}), grid, cells},
-          {into(0, 0, {1, 1}), grid, "zero points do not fill a cell"},
-          {into(6, 6, {0, 6}), grid, cells},
-          {into(6, 6, {6, 0}), grid, cells},
-          {into(4, 4, {(std::uint64_t{1} << 62) + 1, 4}), grid, "nx * ny = 2^64 + 4, not 4", wraps},
-          {into(4, 4, {4, (std::uint64_t{1} << 62) + 1}), grid, "nx * ny = 2^64 + 4, not 4", wraps},
-          {into(0, 0, {half, half}), grid, "nx * ny = 2^64, not 0", wraps}};
-}
-
 /// A function of a point, and the exact moments of its estimates for some n.
 struct Level {
   std::string words;  ///< "exp(x)"

@@ -80,9 +80,6 @@ CHECK_CASE("3.2 primes and the smallest numbers", "[3.2][edge][points:0.5]") {
   compare_grids(domain::sizes(999983, rng));
 }
 
-REFUSAL_CASES("3.2", "n = 0 is refused", "0.25", "the refusal names the argument", "0.25",
-              {{MEASURE_OUTCOME(strata, {0}), "n|strata|cell", "a grid has at least one cell"}})
-
 CHECK_CASE("3.2 any 64-bit number of cells", "[3.2][edge][points:1]") {
   // Squares, products of neighbors, and neighbors of squares: a search down from the root ends at
   // once, or after two steps. 2^64 - 1 = (2^32 - 1) (2^32 + 1).
@@ -188,11 +185,6 @@ CHECK_CASE("3.3 no point leaves its cell whatever the bits", "[3.3][edge][points
     }
   }
 }
-
-REFUSAL_CASES("3.3", "grids of another size are refused", "0.75", "the refusals name the argument",
-              "0.25", wrong_grids([](std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
-                return MEASURE_OUTCOME(stratified_2d_into, size_x, size_y, grid);
-              }))
 
 CHECK_CASE("3.10 blocks of any length have their strata",
            "[3.10][main][stretch][needs:3.1][needs:3.3]") {

@@ -72,20 +72,6 @@ CHECK_CASE("3.9 one cell and one replicate", "[3.9][edge][points:0.5][needs:3.3]
              "one mean has no spread, so the result is undefined");
 }
 
-std::vector<InvalidCall> no_strata() {
-  const auto made = [](Grid grid, std::uint64_t replicates) {
-    return MEASURE_OUTCOME(irradiance_stratified, {}, grid, replicates, 1, 1);
-  };
-  const std::string cells = "a grid has at least one cell";
-  return {{made({0, 3}, 2), "grid|nx|ny", cells},
-          {made({3, 0}, 2), "grid|nx|ny", cells},
-          {made({0, 0}, 2), "grid|nx|ny", cells},
-          {made({3, 2}, 0), "replicate", "a mean needs a replicate"}};
-}
-
-REFUSAL_CASES("3.9", "no cells and no replicates are refused", "0.25",
-              "the refusals name the argument", "0.25", no_strata())
-
 // What the cases above use ------------------------------------------------------------------------
 
 /// The ratios of variances that well-known mistakes give.

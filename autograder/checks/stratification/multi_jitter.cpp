@@ -92,11 +92,6 @@ CHECK_CASE("3.7 a sum is estimated as in one dimension", "[3.7][points:1]") {
   expect_level(multi_jittered({8, 8}).some(1000, rng), sum);
 }
 
-REFUSAL_CASES("3.7", "grids of another size are refused", "0.75", "the refusals name the argument",
-              "0.25", wrong_grids([](std::uint64_t size_x, std::uint64_t size_y, Grid grid) {
-                return MEASURE_OUTCOME(multi_jittered_into, size_x, size_y, grid);
-              }))
-
 // What the cases above use ------------------------------------------------------------------------
 
 /// Whether the x, and the y, of all points lie in the strata of the canonical arrangement.

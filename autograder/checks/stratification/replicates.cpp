@@ -121,21 +121,11 @@ CHECK_CASE("3.8 estimates over stratified points have their exact error",
                    {{}, "draw fresh points from the same generator for each replicate"});
 }
 
-std::vector<InvalidCall> nothing_to_average() {
-  return {
-      {MEASURE_OUTCOME(estimate_replicated, {1, 2}, 0, 1, 2), "n|point", "a mean needs a point"},
-      {MEASURE_OUTCOME(estimate_replicated, {1, 2}, 2, 1, 0), "replicate",
-       "a mean needs a replicate"}};
-}
-
 CHECK_CASE("3.8 one replicate has no error bar", "[3.8][edge][points:0.5]") {
   const auto one = estimate_of(random_data(rng, 10, 1, 1));
   expect_nan(one.call + ".standard_error", one.value.standard_error,
              "one mean has no spread, so the result is undefined");
 }
-
-REFUSAL_CASES("3.8", "no points and no replicates are refused", "0.5",
-              "the refusals name the argument", "0.5", nothing_to_average())
 
 }  // namespace
 }  // namespace mc::checks

@@ -63,18 +63,6 @@ CHECK_CASE("1.6 the covariance of one pair or of NaN is not finite", "[1.6][edge
   }
 }
 
-std::vector<InvalidCall> lists_of_two_sizes() {
-  std::vector<InvalidCall> calls;
-  for (const auto& [n_x, n_y] : {std::pair{3u, 2u}, {2u, 3u}, {1u, 0u}, {0u, 1u}, {64u, 1000u}}) {
-    calls.push_back({MEASURE_OUTCOME(covariance, Values(n_x, 1.5), Values(n_y, 2.5)), "x|y",
-                     "lists of different sizes have no pairs"});
-  }
-  return calls;
-}
-
-REFUSAL_CASES("1.6", "lists of different sizes are refused", "1", "the refusal names the argument",
-              "1", lists_of_two_sizes())
-
 // What the cases above use ------------------------------------------------------------------------
 
 /// Two negatively correlated variables, neither nearly constant: kappa is below 4 for both.

@@ -146,7 +146,8 @@ void print_kills(const std::string& name) {
       const auto checks = checks_to_judge(proof, failing_tasks(subject));
       std::vector<std::string> failed;
       for (const CheckResult& result : proof.judge(1, checks).checks) {
-        if (result.status == Status::failed) failed.push_back(result.check.name);
+        const bool is_wrong = result.status == Status::failed || result.status == Status::waiting;
+        if (is_wrong) failed.push_back(result.check.name);
       }
       const std::string mistake =
           subject.section.empty() ? file.path().stem().string() : subject.section;

@@ -121,19 +121,6 @@ namespace mc::power_not_over_n {
 CHANGED(p* n)
 }  // namespace mc::power_not_over_n
 
-// mistake: throws with a message that does not name the argument
-// hint: name the wrong argument in the exception's message
-namespace mc::refused_without_a_name {
-void periodogram(std::span<const double> x, std::span<const double> y, int kmax,
-                 std::span<double> power) {
-  try {
-    right_periodogram(x, y, kmax, power);
-  } catch (const std::invalid_argument&) {
-    throw std::invalid_argument("bad input");
-  }
-}
-}  // namespace mc::refused_without_a_name
-
 // mistake: squares the side of the periodogram as an int, which overflows
 // hint: overflow
 namespace mc::side_in_an_int {

@@ -65,15 +65,3 @@ std::uint64_t samples_for(const Estimate& pilot, double target_error) {
   return static_cast<std::uint64_t>(std::max<std::int64_t>(1, static_cast<std::int64_t>(n)));
 }
 }  // namespace mc::signed_count
-
-// mistake: throws with a message that does not name the argument
-// hint: name the wrong argument in the exception's message
-namespace mc::unnamed_argument {
-std::uint64_t samples_for(const Estimate& pilot, double target_error) {
-  try {
-    return right_samples_for(pilot, target_error);
-  } catch (const std::invalid_argument&) {
-    throw std::invalid_argument("bad input");
-  }
-}
-}  // namespace mc::unnamed_argument

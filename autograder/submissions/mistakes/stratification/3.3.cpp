@@ -89,18 +89,6 @@ void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng
 }
 }  // namespace mc::multiplies_the_grid
 
-// mistake: throws for an invalid grid with a message that does not name the argument
-// hint: name the wrong argument in the exception
-namespace mc::nameless_refusals {
-void stratified_2d(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
-  if (x.size() != y.size() || grid.nx == 0 || x.size() % grid.nx != 0 ||
-      x.size() / grid.nx != grid.ny || grid.ny == 0) {
-    throw std::invalid_argument("no");
-  }
-  right_stratified_2d(x, y, grid, rng);
-}
-}  // namespace mc::nameless_refusals
-
 // mistake: moves x and y by the same random number
 // hint: the jitter of x in cell 0 and the jitter of y in cell 0 share one random number
 namespace mc::on_the_diagonal {

@@ -100,18 +100,6 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }
 }  // namespace mc::only_the_axes
 
-// mistake: throws std::out_of_range for an invalid grid
-// hint: wrong type of exception
-namespace mc::refuses_by_another_name {
-void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
-  try {
-    right_multi_jittered(x, y, grid, rng);
-  } catch (const std::invalid_argument& wrong) {
-    throw std::out_of_range(wrong.what());
-  }
-}
-}  // namespace mc::refuses_by_another_name
-
 // mistake: compares nx * ny in 64 bits, and allocates nx columns
 // hint: the product of 64-bit numbers wraps around
 namespace mc::room_for_an_overflow {

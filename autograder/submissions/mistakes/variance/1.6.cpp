@@ -55,15 +55,6 @@ double covariance(std::span<const double> x, std::span<const double> y) {
 }
 }  // namespace mc::covariance_over_n
 
-// mistake: throws for different sizes with a message that does not name the argument
-// hint: name the wrong argument in the exception's message
-namespace mc::covariance_refuses_without_a_word {
-double covariance(std::span<const double> x, std::span<const double> y) {
-  if (x.size() != y.size()) throw std::invalid_argument("bad");
-  return right_covariance(x, y);
-}
-}  // namespace mc::covariance_refuses_without_a_word
-
 // mistake: returns E{XY} without subtracting anything
 // hint: the means were not subtracted
 namespace mc::covariance_without_means {

@@ -61,18 +61,6 @@ double dependence(std::span<const double> joint, std::size_t columns) {
 }
 }  // namespace mc::dependence_one_sided
 
-// mistake: throws with a message that does not name the argument
-// hint: name the wrong argument in the exception's message
-namespace mc::dependence_refuses_without_a_word {
-double dependence(std::span<const double> joint, std::size_t columns) {
-  try {
-    return right_dependence(joint, columns);
-  } catch (const std::invalid_argument&) {
-    throw std::invalid_argument("");
-  }
-}
-}  // namespace mc::dependence_refuses_without_a_word
-
 // mistake: skips empty cells, as an entropy would
 // hint: the largest difference is in an empty cell
 namespace mc::dependence_skips_empty_cells {
@@ -104,18 +92,6 @@ double dependence(std::span<const double> joint, std::size_t columns) {
   return right_dependence(weights, columns);
 }
 }  // namespace mc::dependence_takes_any_weights
-
-// mistake: throws std::domain_error
-// hint: wrong type of exception
-namespace mc::dependence_throws_domain_error {
-double dependence(std::span<const double> joint, std::size_t columns) {
-  try {
-    return right_dependence(joint, columns);
-  } catch (const std::invalid_argument& error) {
-    throw std::domain_error(error.what());
-  }
-}
-}  // namespace mc::dependence_throws_domain_error
 
 // mistake: adds up a row and a column for each cell, which takes quadratic time
 // hint: than the header's cost allows
