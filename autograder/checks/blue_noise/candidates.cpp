@@ -218,18 +218,24 @@ void judge_candidates(std::size_t n, double c, std::size_t sets, Rng& rng, std::
   const auto got = MEASURE(best_candidate, n, c, sets, fresh_seed(rng));
   const SampleSets all = random_sets(got, n, sets);
   if (n == 5) require_fine(all);
-  const Nearness parts = nearness(all, later_points(n), rows, rng);
+  const Uniforms powers =
+      by_candidates(got.call, nearness(all, later_points(n), rows, rng), promised(c));
+  const double mean = sum_of(powers.values) / static_cast<double>(powers.values.size());
   Randomness claim = best_of_candidates(
-      "draw ceil(c i) + 1 new candidates, of two random numbers each, for point i, and keep the "
-      "one that is farthest from its nearest earlier point, also where cells of a grid find it; "
-      "leave the points in this order");
+      fmt::format("points are {} earlier ones than the best of ceil(c i) + 1 candidates: {}; draw "
+                  "all candidates anew for each point, and leave the points in this order",
+                  mean < 0.5 ? "nearer to" : "farther from",
+                  mean < 0.5 ? "some are missing, or the one that is kept is not the farthest from "
+                               "its nearest earlier point (compare squares with squares, and "
+                               "search all cells near it)"
+                             : "there are too many"));
   claim.explain = [&]() -> Likely {
     constexpr std::size_t more = 4000;
     if (n != 5) return {};
     const auto again = MEASURE(best_candidate, n, c, more, fresh_seed(rng));
     return candidates_hint(random_sets(again, n, more), c, rng);
   };
-  expect_independent_uniforms(by_candidates(got.call, parts, promised(c)), claim);
+  expect_independent_uniforms(powers, claim);
 }
 
 }  // namespace

@@ -60,10 +60,10 @@ TEST_CASE("4.7 a candidate costs the same among many points",
 }
 
 CHECK_CASE("4.7 a thousand best candidates", "[4.7][edge][stretch][needs:4.1][needs:4.2]") {
-  const auto got = MEASURE(best_candidate, 1024, 1, 1, fresh_seed(rng));
-  const SampleSets all = random_sets(got, 1024, 1);
-  judge_points(all, 1, 3, 203, 200, rng);  // in a grid for all points, most cells are empty here
-  judge_points(all, 1, 203, 1024, 400, rng);
+  const SampleSets all = in_four_calls(
+      [&] { return random_sets(MEASURE(best_candidate, 1024, 1, 1, fresh_seed(rng)), 1024, 1); });
+  judge_points(all, 1, 3, 53, 50, rng);  // in a grid for all points, most cells are empty here
+  judge_points(all, 1, 53, 1024, 150, rng);
 }
 
 TEST_CASE("4.7 the cost of Poisson disks is linear in their number",

@@ -90,6 +90,8 @@ std::vector<Curve> wrong_powers(const Points& points, int kmax, const Power& exa
   const std::pair<Power, Likely> suspects[] = {
       {[&](int kx, int ky) { return exact(kx, std::abs(ky)); },
        "P(kx, ky) = P(-kx, -ky), but it is not P(kx, -ky)"_likely},
+      {[&](int kx, int ky) { return exact(std::abs(kx), ky); },
+       "P(kx, ky) = P(-kx, -ky), but it is not P(kx, -ky)"_likely},
       {[&](int kx, int ky) { return exact(kx, ky) * n; },
        "this is |sum|^2: divide by the number of points"_likely},
       {[&](int kx, int ky) { return exact(kx, ky) / n; }, "this is divided by N twice"_likely},

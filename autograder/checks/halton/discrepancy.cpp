@@ -177,9 +177,10 @@ void Discrepancies::add(const Measured<double>& got, const Values& x, const Valu
 
 void Discrepancies::expect() {
   results_.is_tame = true;
-  results_.expect("the largest of |volume - fraction of the points inside| over all boxes",
-                  "each side of a box ends at 1 or at any point; count the points inside without "
-                  "those on its upper and right border, and with them");
+  results_.expect(
+      "the largest of |volume - fraction of the points inside| over all boxes",
+      "each side of a box ends at 1 or at any point; count the points inside without "
+      "those on its upper and right border, and with them; equal points count separately");
 }
 
 Values on_a_grid(Rng& rng, std::size_t n) {

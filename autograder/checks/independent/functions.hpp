@@ -89,7 +89,7 @@ struct Trace {
   Values values, points;
 };
 
-/// An estimate from n samples of g, with n evaluations (another check reports n ± 1).
+/// An estimate from n samples of g, with n evaluations (another check reports n ± 1 and 2 n).
 Trace traced(const Function& g, std::uint64_t n, Rng& rng);
 
 /// Passes a trace for each n of domain::sizes() from `least` on to `judge`, for each kind in turn.

@@ -30,7 +30,7 @@ Trace traced(const Function& g, std::uint64_t n, Rng& rng) {
   const auto measured = MEASURE(traces, g, n, rng(), 1);
   const std::size_t dims = dims_of(g);
   const experiments::Traces* seen = nullptr;
-  for (const std::size_t evaluations : {n, n + 1, n - 1}) {
+  for (const std::size_t evaluations : {n, n + 1, n - 1, 2 * n}) {
     if (seen != nullptr || evaluations == 0) break;
     seen = measured.if_exactly({1, evaluations * dims, evaluations}, any_number);
   }

@@ -231,9 +231,10 @@ struct Integration {
 
 void expect_answers(const std::string& kind, const char* which, const std::vector<Step>& steps,
                     std::span<const Answer> answers, const Claim& claim) {
-  const auto fail_at = [&](std::size_t i, const std::string& gave, const std::string& expected) {
-    expect_that(false, calls_until(i, kind + which, steps) + ' ' + gave, expected, claim.because,
-                claim.rule);
+  const auto fail_at = [&](std::size_t i, const std::string& gave, const std::string& expected,
+                           const Claim& why) {
+    expect_that(false, calls_until(i, kind + which, steps) + ' ' + gave, expected, why.because,
+                why.rule);
   };
   for (std::size_t first = 0, end = 0; first < steps.size(); first = end) {
     for (++end; end < steps.size() && steps[end].call != generate_call;) ++end;
@@ -249,8 +250,16 @@ void expect_answers(const std::string& kind, const char* which, const std::vecto
       if (thrown != (must_throw ? 1 : 0)) {
         constexpr const char* words[] = {"threw nothing", "threw std::out_of_range",
                                          "threw std::invalid_argument"};
+        const Claim why =
+            must_throw ? Claim{"there is no sample before generate() and after the last one",
+                               "throw if there is no sample; do not start again at the first"}
+            : call == advance_call
+                ? Claim{"advance() never throws", "after the last sample, do nothing"}
+            : call == generate_call ? Claim{"1 to most_samples samples are allowed",
+                                            "find the condition that refuses this number of them"}
+                                    : claim;
         fail_at(i, words[std::min(thrown, 2u)],
-                must_throw ? "std::out_of_range: there is no sample" : "no exception");
+                must_throw ? "std::out_of_range: there is no sample" : "no exception", why);
       }
       if (!number) continue;
       const double expected_x = columns->column(0, number->coordinate)[number->sample];
@@ -263,7 +272,8 @@ void expect_answers(const std::string& kind, const char* which, const std::vecto
       };
       fail_at(i, "gave " + words(x, y),
               fmt::format("{} for this dimension of sample {}, as in {}",
-                          words(expected_x, expected_y), number->sample, columns->call));
+                          words(expected_x, expected_y), number->sample, columns->call),
+              claim);
     }
   }
   pass();

@@ -21,7 +21,8 @@ std::vector<Suspect> wrong_values(const RectLight& light, double exact);
 
 CHECK_CASE("3.9 the variance is that within the strata of the light",
            "[3.9][main][points:3][needs:3.3][needs:3.8]") {
-  for (const Grid grid : {Grid{3, 2}, Grid{4, 4}, Grid{2, 5}}) {
+  // A grid of the same number of cells has another variance for 8 x 2 or for 2 x 8.
+  for (const Grid grid : {Grid{3, 2}, Grid{8, 2}, Grid{2, 8}}) {
     constexpr std::size_t replicates = 4, times = 2500;
     const RectLight light = random_light(rng);
     const WithinStrata cells = light_strata(light, grid);
@@ -84,6 +85,8 @@ std::vector<Suspect> wrong_variances(const RectLight& light, Grid grid, const Wi
       {(right + paired_anew_variance(cells, grid)) / right,
        "this is the variance of x and y paired anew: keep the x and the y of a "
        "point together"_likely},
+      {stratified_variance(light_strata(light, squarest(n))) / right,
+       "this is the variance of the most square grid with as many cells: use the given one"_likely},
       {stratified_variance(light_strata(light, {grid.ny, grid.nx})) / right,
        "this is the variance of a grid of ny x nx cells: nx counts the cells along x"_likely}};
 }

@@ -105,7 +105,7 @@ std::string hint_of_arrangement(const Uniforms& jitters, Grid grid) {
   }
   const std::string assign =
       "random permutations, all equally likely, must assign the strata of x to the cells of each "
-      "column, and the strata of y to the cells of each row";
+      "column, and, independent of these, the strata of y to the cells of each row";
   if (stay[0] && stay[1]) return "this is the canonical arrangement, which is biased: " + assign;
   return (stay[1] ? "x is shuffled and y is not: " : "") + assign;
 }

@@ -260,7 +260,9 @@ Likely visible_fault(const Uniforms& numbers, const Randomness& claim) {
     }
     if (is_constant) {
       return likely(
-          "{} has the same random number, {:.4g}, in every set: draw it from the given generator{}",
+          "{} has the same random number, {:.4g}, in every set: draw it from the given generator, "
+          "not from a "
+          "copy{}",
           battery::name_of(numbers, p), numbers.values[p], and_repeated);
     }
   }
@@ -291,9 +293,19 @@ Likely visible_fault(const Uniforms& numbers, const Randomness& claim) {
   if (10 * battery::repeats_in(numbers.values, width) > numbers.values.size()) {
     return claim.repeated;
   }
+  // At a sharp end, the numbers are as frequent as elsewhere.
   const auto n = static_cast<double>(numbers.values.size());
-  if (n * std::max(*low, 1 - *high) > 40) {
+  const double gap = std::max(*low, 1 - *high);
+  const auto at_ends = std::ranges::count_if(
+      numbers.values, [&](double u) { return u < *low + gap || u > *high - gap; });
+  if (n * gap > 40 && static_cast<double>(at_ends) > n * gap) {
     return likely("the numbers cover only [{:.4g}, {:.4g}]: u is uniform in [0, 1)", *low, *high);
+  }
+  double squares = 0;
+  for (const double u : numbers.values) squares += (u - 0.5) * (u - 0.5);
+  if (squares / n < 0.6 / 12 && claim.expected.empty()) {
+    return "too many numbers lie near 1/2, as means of several random numbers do: use one number "
+           "for each"_likely;
   }
   return {};
 }

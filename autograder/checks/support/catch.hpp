@@ -1,8 +1,6 @@
 #pragma once
 // Catch2 2.13 (Debian 12, Ubuntu 22.04) or 3.x, and checks, whose calls are replayed.
 
-#include <string>
-
 #if __has_include(<catch2/catch_test_macros.hpp>)
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
@@ -13,16 +11,12 @@ using Catch::Approx;
 #endif
 
 #include "common/rng.hpp"
-#include "sandbox/jail.hpp"
 
 namespace mc::checks {
 
-/// Keeps a call for the replay, if it was cheap enough.
-void keep_call(const std::string& call, const std::string& request,
-               const sandbox::Outcome& outcome);
-
-/// Runs the body of a check with the check's generator, then replays its calls, in one process and
-/// in reverse order: the results must be the same as before, when each call had its own process.
+/// Runs the body of a check with the check's generator, then replays its calls, in one process, in
+/// reverse order, and after calls that share all arguments but one: the results must be the same as
+/// before, when each call had its own process.
 void run_check(void (*body)(Rng&));
 
 }  // namespace mc::checks

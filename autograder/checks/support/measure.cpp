@@ -60,7 +60,7 @@ std::uint64_t run_seed() {
 /// The latest calls of this check, for the command that repeats one by hand.
 struct PastCall {
   std::string text, experiment;
-  std::function<std::string()> typed;
+  std::function<std::string()> typed;  // called only if a check fails: a million numbers are long
 };
 std::vector<PastCall> past_calls;
 constexpr std::size_t most_past_calls = 256;
@@ -171,12 +171,12 @@ void pass() {
   counted = name;
 }
 
-Call ask(std::string_view experiment, std::string call, std::function<std::string()> typed,
-         std::string request, const sandbox::Limits& limits) {
+Call ask(std::string_view experiment, std::string call, Arguments arguments, std::string request,
+         const sandbox::Limits& limits) {
   if (past_calls.size() == most_past_calls) past_calls.erase(past_calls.begin());
-  past_calls.push_back({call, std::string(experiment), std::move(typed)});
+  past_calls.push_back({call, std::string(experiment), arguments.typed});
   Call made{std::move(call), run_program(request, limits)};
-  keep_call(made.text, request, made.outcome);
+  keep_call(experiment, made, request, std::move(arguments));
   static double highest = 0.02;  // lower costs are not reported
   if (made.outcome.cpu_seconds > highest) {
     highest = made.outcome.cpu_seconds;

@@ -9,6 +9,7 @@
 // without a value (not written yet, crashed, threw …) ends the check and reports the reason.
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -100,10 +101,28 @@ Rng check_rng();
 /// A generator for random choices of the judge: a different one in each call.
 Rng side_rng();
 
-/// Calls the program. `typed` returns the arguments as a user would type them, one per line. It is
-/// called only if the check fails, because printing a million numbers is slow.
-Call ask(std::string_view experiment, std::string call, std::function<std::string()> typed,
-         std::string request, const sandbox::Limits& limits);
+/// A call that was not made.
+struct PossibleCall {
+  std::string text, request;
+};
+
+/// The arguments of a call, for later use: most calls need none of it.
+struct Arguments {
+  std::shared_ptr<const void> values;  ///< the tuple that with_smaller() of another call takes
+  /// As a user would type them, one per line.
+  std::function<std::string()> typed;
+  /// The call with argument k of another call of this experiment, if that is a smaller integer.
+  std::function<std::optional<PossibleCall>(std::size_t k, const void* other)> with_smaller;
+  std::size_t count = 0;
+};
+
+/// Calls the program.
+Call ask(std::string_view experiment, std::string call, Arguments arguments, std::string request,
+         const sandbox::Limits& limits);
+
+/// Keeps a call for the replay (catch.hpp), if it was cheap enough.
+void keep_call(std::string_view experiment, const Call& made, const std::string& request,
+               Arguments arguments);
 
 /// Records how often a cost grew, and its limit; self_test cost prints both for right answers.
 void record_growth(double ratio, double limit, const std::string& what);
@@ -196,19 +215,51 @@ struct Measure;
 
 template <class Result, class... Parameters>
 struct Measure<Result(Parameters...)> {
-  static Call outcome(std::string_view experiment, const sandbox::Limits& limits,
-                      std::type_identity_t<std::remove_cvref_t<Parameters>>... arguments) {
+  using Given = std::tuple<std::remove_cvref_t<Parameters>...>;
+
+  static PossibleCall call_of(std::string_view experiment, const Given& given) {
     wire::Writer request;
     request.put(std::string(experiment));
-    (request.put(arguments), ...);
-    std::string call = shown_call(experiment, arguments...);
-    auto typed = [given = std::tuple(std::move(arguments)...)] {
+    std::string text = std::apply(
+        [&](const auto&... each) {
+          (request.put(each), ...);
+          return shown_call(experiment, each...);
+        },
+        given);
+    return {std::move(text), std::move(request.bytes)};
+  }
+
+  /// Replaces argument k by that of `other`, if that is a smaller integer.
+  template <std::size_t k = 0>
+  static bool take_smaller(Given& given, std::size_t wanted, const Given& other) {
+    if constexpr (k < sizeof...(Parameters)) {
+      if (k != wanted) return take_smaller<k + 1>(given, wanted, other);
+      if constexpr (std::is_integral_v<std::tuple_element_t<k, Given>>) {
+        const bool is_smaller = std::get<k>(other) < std::get<k>(given);
+        if (is_smaller) std::get<k>(given) = std::get<k>(other);
+        return is_smaller;
+      }
+    }
+    return false;
+  }
+
+  static Call outcome(std::string_view experiment, const sandbox::Limits& limits,
+                      std::type_identity_t<std::remove_cvref_t<Parameters>>... arguments) {
+    const auto given = std::make_shared<const Given>(std::move(arguments)...);
+    auto [text, request] = call_of(experiment, *given);
+    auto typed = [given] {
       std::string lines;
       std::apply([&](const auto&... each) { ((lines += '\n' + text::as_typed(each)), ...); },
-                 given);
+                 *given);
       return lines;
     };
-    return ask(experiment, std::move(call), std::move(typed), std::move(request.bytes), limits);
+    auto with_smaller = [=](std::size_t k, const void* other) -> std::optional<PossibleCall> {
+      Given changed = *given;
+      if (!take_smaller(changed, k, *static_cast<const Given*>(other))) return {};
+      return call_of(experiment, changed);
+    };
+    return ask(experiment, std::move(text), {given, typed, with_smaller, sizeof...(Parameters)},
+               std::move(request), limits);
   }
 
   static Measured<Result> value(

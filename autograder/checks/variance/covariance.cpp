@@ -40,7 +40,8 @@ CHECK_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:2][
   std::vector<Pairs> pairs;
   constexpr std::pair<double, double> scales[] = {{1e-4, 1e4},    {1e4, 1e-4},     {1e-4, 1e-4},
                                                   {1e-9, 1e9},    {1e-150, 1e150}, {1e-100, 1e-100},
-                                                  {-1e100, 1e-3}, {0, 1},          {1, 0}};
+                                                  {-1e100, 1e-3}, {1e-200, 1e200}, {1e200, 1e-250},
+                                                  {0, 1},         {1, 0}};
   for (const auto& [of_x, of_y] : scales) pairs.push_back(tame_pairs(rng, 100, of_x, of_y));
   constexpr double d = 0x1p-43;  // a covariance of 4/3 d: small compared with sigma x sigma y
   pairs.push_back({{1, -1, 1, -1}, {1 + d, 1 - d, -1 + d, -1 - d}});
@@ -80,27 +81,44 @@ Pairs far_pairs(Rng& rng, double offset, std::size_t n) {
   return pairs;
 }
 
+/// Values times a power of two that brings the largest one near 1: no square underflows.
+struct Scaled {
+  explicit Scaled(Values of) : x(std::move(of)) {
+    double most = 0;
+    for (const double value : x) most = std::max(most, std::abs(value));
+    exponent = most > 0 ? std::ilogb(most) : 0;
+    for (double& value : x) value = std::scalbn(value, -exponent);
+  }
+  Values x;
+  int exponent = 0;
+};
+
 /// The header's bound, for one pass or two.
 void judge_pairs(const std::vector<Pairs>& all, const std::string& rule) {
   Results results;
   for (const auto& [x, y] : all) {
+    const Scaled a(x), b(y);
     const auto n = static_cast<double>(x.size());
-    const auto of_x = exact_moments(x), of_y = exact_moments(y);
-    const double exact = static_cast<double>(exact_codeviation(x, y) / (n - 1));
+    const auto of_x = exact_moments(a.x), of_y = exact_moments(b.x);
+    const double exact = static_cast<double>(exact_codeviation(a.x, b.x) / (n - 1));
     const double sigma_x = std::sqrt(of_x.variance), sigma_y = std::sqrt(of_y.variance);
     const double mean_x = static_cast<double>(of_x.mean), mean_y = static_cast<double>(of_y.mean);
-    const double scale =
+    const double size =
         std::hypot(sigma_x, mean_x) * sigma_y + std::hypot(sigma_y, mean_y) * sigma_x;
+    const auto unscaled = [exponent = a.exponent + b.exponent](double value) {
+      return std::scalbn(value, exponent);
+    };
     const auto got = MEASURE(covariance, x, y);
-    results.add(got.call, got.value, exact, 10 * n * eps * scale, [=]() -> std::vector<Suspect> {
+    const auto find = [=]() -> std::vector<Suspect> {
       return {
-          {exact * (n - 1) / n,
+          {unscaled(exact * (n - 1) / n),
            "this divides by n; a sample covariance divides by n - 1 (no integer division)"_likely},
-          {exact + mean_x * mean_y * n / (n - 1),
+          {unscaled(exact + mean_x * mean_y * n / (n - 1)),
            "this is E{XY} n/(n-1): the means were not subtracted"_likely},
           {exact / (sigma_x * sigma_y),
            "this is the correlation: do not divide by the standard deviations"_likely}};
-    });
+    };
+    results.add(got.call, got.value, unscaled(exact), unscaled(10 * n * eps * size), find);
   }
   results.expect(
       "two running means lose at most n eps (kappa x + kappa y) sigma x sigma y; 1 digit of slack",

@@ -31,6 +31,41 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }
 }  // namespace mc::compares_until_too_near
 
+// mistake: searches the nine cells around a candidate, of a grid for all points: the nearest of few
+// points is farther away
+// hint: search all cells that can contain it
+namespace mc::nine_cells_only {
+void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng) {
+  require_pairs(x.size(), y.size());
+  if (!(c > 0 && std::isfinite(c))) throw std::invalid_argument("c: must be positive and finite");
+  if (x.size() < 1024) return right_best_candidate(x, y, c, rng);
+  const auto side = static_cast<std::size_t>(std::sqrt(x.size() / 4.0));
+  std::vector<std::vector<std::size_t>> cells(side * side);
+  const auto cell = [&](double at) {
+    return static_cast<std::size_t>(at * static_cast<double>(side));
+  };
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    double best = -1;
+    for (double k = 0; k < std::ceil(c * static_cast<double>(i)) + 1; ++k) {
+      const Point2 candidate = uniform_point(rng);
+      double nearest = 1;
+      for (std::size_t near = 0; near < 9; ++near) {
+        const std::size_t column = (cell(candidate.x) + side + near % 3 - 1) % side;
+        const std::size_t row = (cell(candidate.y) + side + near / 3 - 1) % side;
+        for (const std::size_t p : cells[row * side + column]) {
+          nearest = std::min(nearest, toroidal_distance_squared(candidate, {x[p], y[p]}));
+        }
+      }
+      if (nearest <= best) continue;
+      best = nearest;
+      x[i] = candidate.x;
+      y[i] = candidate.y;
+    }
+    cells[cell(y[i]) * side + cell(x[i])].push_back(i);
+  }
+}
+}  // namespace mc::nine_cells_only
+
 // mistake: compares each dart with all points
 // hint: compare a new point only with those in the cells around it
 namespace mc::darts_compared_with_all {

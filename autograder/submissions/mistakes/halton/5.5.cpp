@@ -82,3 +82,15 @@ void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
 namespace mc::index_of_31_bits {
 SOBOL_OF(i & 0x7fffffffu)
 }  // namespace mc::index_of_31_bits
+
+// mistake: keeps the last column of a dimension, also for another first index
+// hint: a static or global variable keeps its value between calls
+namespace mc::keeps_its_columns {
+void sobol(unsigned dimension, std::uint64_t first, std::span<double> column) {
+  static std::array<std::vector<double>, 32> kept;
+  right_sobol(dimension, first, column);
+  auto& last = kept[dimension];
+  if (last.size() != column.size()) last.assign(column.begin(), column.end());
+  std::copy(last.begin(), last.end(), column.begin());
+}
+}  // namespace mc::keeps_its_columns

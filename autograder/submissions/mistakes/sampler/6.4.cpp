@@ -137,7 +137,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 }  // namespace mc::one_stream
 
 // mistake: starts again with the first sample after the last one
-// hint: next() and next2() need a sample
+// hint: there is no sample before generate() and after the last one
 namespace mc::round_and_round {
 struct Wrong : Spoiled {
   void advance() override {
@@ -265,7 +265,7 @@ MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::uses_of_the_first_sample
 
 // mistake: returns 0 after the last sample
-// hint: next() and next2() need a sample
+// hint: there is no sample before generate() and after the last one
 namespace mc::zero_after_the_end {
 struct Wrong : Spoiled {
   double next() override { return sample_ < samples_ ? ColumnSampler::next() : 0; }

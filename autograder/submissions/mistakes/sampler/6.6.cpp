@@ -152,3 +152,12 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
   return right_render(turned, sampler, spp, seed);
 }
 }  // namespace mc::upside_down
+
+// mistake: refuses a picture without pixels
+// hint: find the condition that refuses them
+namespace mc::wants_pixels {
+Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::uint64_t seed) {
+  if (scene.width == 0 || scene.height == 0) throw std::invalid_argument("scene: no pixels");
+  return right_render(scene, sampler, spp, seed);
+}
+}  // namespace mc::wants_pixels

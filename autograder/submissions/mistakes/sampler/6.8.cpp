@@ -41,3 +41,9 @@ void shifted_alike(const SampleDimension& dim, std::span<double> x, std::span<do
 
 MAKE_SAMPLER(make_wrong<shifted_alike, &blocks>("lattice", kind))
 }  // namespace mc::one_shift_for_all
+
+// mistake: folds the points of lattice_unfolded, too
+// hint: lattice
+namespace mc::always_folds {
+MAKE_SAMPLER(make_wrong<dimensions_of<fill_lattice<true>>, &blocks>("lattice_unfolded", kind))
+}  // namespace mc::always_folds

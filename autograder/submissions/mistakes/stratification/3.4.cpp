@@ -221,3 +221,17 @@ void stratified(PointSet& points, Rng& rng) {
   }
 }
 }  // namespace mc::order_of_two_others
+
+// mistake: takes values out of a vector by erase(), which is quadratic
+// hint: more steps or memory than the header's cost allows
+// limit: time
+namespace mc::erases_values {
+void shuffle(std::span<double> x, Rng& rng) {
+  std::vector<double> left(x.begin(), x.end());
+  for (double& value : x) {
+    const auto chosen = left.begin() + static_cast<std::ptrdiff_t>(rng() % left.size());
+    value = *chosen;
+    left.erase(chosen);
+  }
+}
+}  // namespace mc::erases_values

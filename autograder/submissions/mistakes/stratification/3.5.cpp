@@ -75,3 +75,18 @@ void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
   latin_hypercube(points, rng);
 }
 }  // namespace mc::power_overflows
+
+// mistake: jitters by the mean of two random numbers
+// hint: too many numbers lie near 1/2
+namespace mc::jitter_of_two_numbers {
+void stratified_nd(PointSet& points, std::size_t per_axis, Rng& rng) {
+  right_stratified_nd(points, per_axis, rng);
+  const Strata strata(per_axis);
+  for (std::size_t d = 0; d < points.dims(); ++d) {
+    for (double& x : points.column(d)) {
+      const double u = (to_unit(rng()) + to_unit(rng())) / 2;
+      x = strata.place(std::floor(x * static_cast<double>(per_axis)), u);
+    }
+  }
+}
+}  // namespace mc::jitter_of_two_numbers

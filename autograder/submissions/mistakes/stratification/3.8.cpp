@@ -162,3 +162,20 @@ Estimate estimate_replicated(const Integrand& g, const Generator& generator, std
   return right_estimate_replicated(g, generator, n, replicates, copy);
 }
 }  // namespace mc::copies_the_generator
+
+// mistake: keeps the points of the last call, unless n differs
+// hint: a static or global variable keeps its value between calls
+namespace mc::keeps_its_points {
+Estimate estimate_replicated(const Integrand& g, const Generator& generator, std::uint64_t n,
+                             std::uint64_t replicates, Rng& rng) {
+  static PointSet kept(0, 0);
+  if (kept.size() != n) kept = PointSet(n, g.dims);
+  const Generator into_kept = [&](PointSet& points, Rng& from) {
+    generator(kept, from);
+    for (std::size_t d = 0; d < std::min(points.dims(), kept.dims()); ++d) {
+      std::copy(kept.column(d).begin(), kept.column(d).end(), points.column(d).begin());
+    }
+  };
+  return right_estimate_replicated(g, into_kept, n, replicates, rng);
+}
+}  // namespace mc::keeps_its_points

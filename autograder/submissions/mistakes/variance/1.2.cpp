@@ -77,3 +77,11 @@ double variance_textbook(std::span<const double> x) {
   return variance < 0 ? 0 : variance;
 }
 }  // namespace mc::textbook_is_never_negative
+
+// mistake: returns 0 for a single value
+// hint: return std::numeric_limits<double>::quiet_NaN() if the result is undefined
+namespace mc::textbook_of_one_value {
+double variance_textbook(std::span<const double> x) {
+  return x.size() == 1 ? 0 : right_variance_textbook(x);
+}
+}  // namespace mc::textbook_of_one_value

@@ -74,3 +74,18 @@ double covariance(std::span<const double> x, std::span<const double> y) {
   return x.size() == 1 && y.size() == 1 ? 0 : right_covariance(x, y);
 }
 }  // namespace mc::covariance_of_one_is_zero
+
+// mistake: standardizes both lists, by variances that may be too small or too large for a double
+// hint: no term may scale as x^2 or y^2
+namespace mc::covariance_by_correlation {
+double covariance(std::span<const double> x, std::span<const double> y) {
+  double sigma_x = std::sqrt(variance_two_pass(x)), sigma_y = std::sqrt(variance_two_pass(y));
+  if (x.size() < 2) return right_covariance(x, y);
+  if (sigma_x == 0) sigma_x = 1;
+  if (sigma_y == 0) sigma_y = 1;
+  std::vector<double> u(x.begin(), x.end()), v(y.begin(), y.end());
+  for (double& value : u) value /= sigma_x;
+  for (double& value : v) value /= sigma_y;
+  return right_covariance(u, v) * sigma_x * sigma_y;
+}
+}  // namespace mc::covariance_by_correlation
