@@ -24,14 +24,16 @@ inline Randomness uniform_shift(const std::string& what, const Likely& repeated 
           .same = "the same shift on every axis moves points along the diagonal"_likely};
 }
 
-/// The radical inverse, accurate to 100 bits.
+/// The radical inverse, accurate to 100 bits: the mirrored digits over the power of the base above
+/// them, both below 2^96.
 inline Exact exact_inverse(unsigned base, std::uint64_t index) {
-  std::array<unsigned, 64> digits;
-  std::size_t count = 0;
-  for (; index > 0; index /= base) digits[count++] = static_cast<unsigned>(index % base);
-  Exact value;
-  while (count > 0) value = (value + Exact(digits[--count])) / Exact(base);
-  return value;
+  unsigned __int128 mirrored = 0, power = 1;
+  for (; index > 0; index /= base, power *= base) mirrored = mirrored * base + index % base;
+  const auto exact = [](unsigned __int128 number) {
+    return Exact(static_cast<double>(number >> 48)) * Exact(0x1p48) +
+           Exact(static_cast<double>(number & 0xffffffffffff));
+  };
+  return exact(mirrored) / exact(power);
 }
 
 inline double inverse(unsigned base, std::uint64_t index) {
