@@ -141,7 +141,7 @@ name = "speed"; width = 80 + 460 * count; height = 420
 load draw
 eval panels(80, 80, 60)
 set logscale xy
-set xrange [0.3:100]
+set xrange [0.2:100]
 set yrange [1e-5:5e-2]
 set xtics (0.5, 1, 2, 5, 10, 20, 50, 100)
 set format y "10^{%L}"

@@ -205,7 +205,7 @@ name = "speed"; width = 80 + 460 * count; height = 410
 load draw
 eval panels(80, 80, 60)
 set logscale xy
-set xrange [0.1:300]
+set xrange [0.05:300]
 set yrange [2e-6:2e-2]
 set format y "10^{%L}"
 set xlabel "ns per point (less is better)"
