@@ -68,7 +68,7 @@ CHECK_CASE("4.3 the message for a radius too small for memory contains the numbe
         fmt::format("{} threw std::invalid_argument(\"{}\")", call.text, call.outcome.bytes),
         fmt::format("a message with the number of points: about {:.2g}", 0.7 * squares),
         "between 0.385 / radius^2 (fewer do not cover) and 1.155 / radius^2 (more do not fit)",
-        "the number is about 0.7 / radius^2, printed by std::to_string or %g: 1.5e+12");
+        "the number is about 0.7 / radius^2, a double printed by std::to_string or %g: 1.5e+12");
   }
 }
 

@@ -167,7 +167,7 @@ void Discrepancies::add(const Measured<double>& got, const Values& x, const Valu
         open =
             "only closed boxes were used: boxes that exclude the points on their border count, "
             "too"_likely,
-        to_1 = "only boxes that end at points were used: boxes that end at 1 count, too"_likely;
+        to_1 = "boxes that end at 1, and not at a point, are missing: they count, too"_likely;
     return {{of({.closed = false}), closed},
             {of({.open = false}), open},
             {of({.to_1_right = false, .to_1_above = false}), to_1},

@@ -147,7 +147,10 @@ Likely flips_hint(const Uniforms& of_zero) {
   return {};
 }
 
-const std::string nested = "a separate flip for each string of bits before a bit, for each seed";
+const std::string nested =
+    "a separate flip for each string of bits before a bit, for each seed; if there is one, its "
+    "hash "
+    "mixes too little";
 const std::string independent = "flips after different strings are independent";
 constexpr std::size_t many_seeds = 1500;
 

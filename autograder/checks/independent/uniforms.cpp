@@ -23,7 +23,9 @@ CHECK_CASE("2.1 words at both ends and powers of two", "[2.1][points:2][edge]") 
 
 using Sizes64 = std::vector<std::uint64_t>;
 
-const Likely same_place = "two calls or two lanes begin with the same state or numbers"_likely;
+const Likely same_place =
+    "numbers occur again: two calls or two lanes begin with the same state, or with states that "
+    "follow each other"_likely;
 const std::string in_step =
     "all numbers are independent: in one call and between calls, in one lane and between lanes "
     "(whose states must be unrelated, not seed, seed + 1, seed + 2)";

@@ -7,9 +7,15 @@ namespace {
 
 std::vector<InvalidCall> unknown_kinds() {
   std::vector<InvalidCall> calls;
-  for (const std::string kind : {"random", "", "Sobol", "sobol ", "sobo", "blue noise"}) {
-    calls.push_back(
-        {MEASURE_OUTCOME(columns, kind, 2, {1}, {1}), "kind", "there is no such kind of sampler"});
+  const std::string longer("sobol\0x", 7);  // a string_view may contain a 0
+  for (const std::string& kind :
+       {std::string("random"), std::string(), std::string("Sobol"), std::string("sobol "),
+        std::string("sobo"), std::string("blue noise"), longer}) {
+    calls.push_back({MEASURE_OUTCOME(columns, kind, 2, {1}, {1}), "kind",
+                     kind == longer
+                         ? "the kind is all characters of the string_view, which need not "
+                           "end in a 0"
+                         : "there is no such kind of sampler"});
   }
   return calls;
 }

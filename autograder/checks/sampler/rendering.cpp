@@ -30,6 +30,9 @@ struct KeyedIntegral {
 /// integrate() gives the mean of keyed values, which depend on the seed, on the number of samples,
 /// and on which sample is evaluated when: only the loop over all samples gives it.
 void expect_integral(Results& results, const KeyedIntegral& one);
+/// The value of evaluation k, if it is of sample i of generate(n, seed).
+double value_of(const KeyedIntegral& one, std::uint64_t k, std::uint64_t i, std::uint64_t n,
+                std::uint64_t seed);
 
 const std::string in_order =
     "generate(samples, seed) once, then for each sample: evaluate the scene once, add, advance()";
@@ -46,12 +49,22 @@ CHECK_CASE("6.5 integrate is the mean over the samples", "[6.5][main][points:4]"
   results.expect("the mean of the scene's values; n rounding errors of a sum below 2n", in_order);
 }
 
-CHECK_CASE("6.5 all 64 bits of the seed count", "[6.5][points:1]") {
+CHECK_CASE("6.5 every bit of the seed and every sample count", "[6.5][points:1]") {
   Results results;
+  KeyedIntegral rare{rng(), 60, fresh_seed(rng), 1, 1};  // a rare event: the first values are equal
+  const auto is_rare = [&] {
+    for (std::uint64_t k = 0; k < 24; ++k) {
+      if (value_of(rare, k, k, rare.samples, rare.seed) != 1) return false;
+    }
+    return true;
+  };
+  while (!is_rare()) ++rare.key;
+  expect_integral(results, rare);
   for (const std::uint64_t seed : domain::seeds_by_bit(rng)) {
     expect_integral(results, {rng(), 3, seed, 1, 2});
   }
-  results.expect("the mean over the samples of generate(samples, seed)", in_order);
+  results.expect("the mean over the samples of generate(samples, seed)",
+                 in_order + ", for all samples, whatever their values");
 }
 
 // No kind has more than e times the variance of independent samples: that is the bound for a
@@ -176,7 +189,6 @@ CHECK_CASE("6.6 a picture may have no pixels", "[6.6][edge][points:0.5]") {
   }
 }
 
-/// The value of evaluation k, if it is of sample i of generate(n, seed).
 double value_of(const KeyedIntegral& one, std::uint64_t k, std::uint64_t i, std::uint64_t n,
                 std::uint64_t seed) {
   const double v = keyed_value(one.key, 0, 0, k, keyed_next(one.key, n, seed, i));

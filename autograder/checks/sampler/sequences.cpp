@@ -137,6 +137,7 @@ Likely likely_of(const std::string& kind, const Uses& uses, Rng& rng) {
 }
 
 void check_sequence(const std::string& kind, Rng& rng) {
+  const bool is_lattice = kind.starts_with("lattice");
   for (const std::size_t n : {1u, 2u, 3u, 7u, 16u, 61u, 64u, 1025u}) {
     for (const Uses& way : ways) {
       const SampleSets got = columns_of(kind, n, {fresh_seed(rng)}, way);
@@ -146,9 +147,13 @@ void check_sequence(const std::string& kind, Rng& rng) {
           fmt::format("{}: coordinate {} is no dimension of the sequence, in its order", got.call,
                       first_wrong(kind, got, way)),
           "another dimension, randomized: sample i has point i",
-          "scrambling does not change how many leading digits two points share",
-          "each request takes the next dimension of one sequence, with the points from index "
-          "0 on and one scramble for all samples",
+          is_lattice ? "a shift does not change the distance of two points, modulo 1"
+                     : "scrambling does not change how many leading digits two points share",
+          is_lattice
+              ? "each request takes the next dimension of the lattice, with the points from "
+                "index 0 on and one shift for all samples; the tent folds shifted points"
+              : "each request takes the next dimension of one sequence, with the points from "
+                "index 0 on and one scramble for all samples",
           likely_of(kind, way, rng));
     }
   }

@@ -68,7 +68,7 @@ void compare(std::span<const Step> steps, std::span<const std::string> answers) 
   }
 }
 
-/// The latest calls and the first; before each, calls that differ from it in one argument.
+/// The latest calls and the first, each after calls that differ from it in one argument.
 std::vector<Step> steps_of_replay() {
   std::vector<const KeptCall*> calls;
   for (auto call = kept_calls.rbegin(); call != kept_calls.rend(); ++call) calls.push_back(&*call);
@@ -84,11 +84,14 @@ std::vector<Step> steps_of_replay() {
         auto one = call->arguments.with_smaller(k, other->arguments.values.get());
         if (!one) continue;
         steps.push_back({std::move(one->text), std::move(one->request)});
+        steps.push_back({call->made.text, call->request, call});
         ++between;
         break;
       }
     }
-    steps.push_back({call->made.text, call->request, call});
+    if (steps.empty() || steps.back().expected != call) {
+      steps.push_back({call->made.text, call->request, call});
+    }
   }
   if (!steps.empty()) steps.push_back(steps.back());  // the last one twice in a row
   return steps;

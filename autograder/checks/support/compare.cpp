@@ -41,7 +41,9 @@ std::vector<Curve> generic_suspects(std::span<const double> got, const Compariso
   const std::span<const double> exact = comparison.exact;
   const std::size_t n = exact.size();
   std::vector<Curve> all{{std::vector<double>(n, nan),
-                          "all values are NaN: never written, only added to, or 0/0"_likely},
+                          comparison.separate_calls
+                              ? "all results are NaN: look for 0/0, inf/inf and inf - inf"_likely
+                              : "all values are NaN: never written, only added to, or 0/0"_likely},
                          {std::vector<double>(n, 0.0), "all values are 0"_likely}};
   if (n < 3) return all;
   if (const auto factor = common_factor(got, exact); factor && std::abs(*factor - 1) > 1e-6) {

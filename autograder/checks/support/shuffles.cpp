@@ -70,6 +70,24 @@ Likely shuffle_hint(std::span<const std::size_t> orders, std::size_t n) {
              "(j from i to n-1)"_likely;
     }
   }
+  // The least share of permutations in which two values keep their order.
+  double least = 1;
+  for (std::size_t j = 1; j < n; ++j) {
+    for (std::size_t i = 0; i < j; ++i) {
+      double kept = 0;
+      for (const auto& [order, times] : found) {
+        const auto first = std::ranges::find_if(order, [=](auto v) { return v == i || v == j; });
+        kept += *first == i ? times : 0;
+      }
+      least = std::min(least, kept / count);
+    }
+  }
+  if (least > 0.5 + 5 / std::sqrt(count)) {
+    return likely(
+        "any two values keep their order in {:.0f} % of the permutations or more, not in 50 %: "
+        "values with equal keys must not stay in order",
+        100 * least);
+  }
   return {};
 }
 

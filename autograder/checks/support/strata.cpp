@@ -85,6 +85,18 @@ double moved_up(double x, std::size_t n) {
   return above < 1 && *stratum_of(above, n) != *stratum_of(x, n) ? above : x;
 }
 
+/// Whether the points, in order, lie in their strata up to a rounding error.
+bool are_near_their_strata(const Axis& axis) {
+  Values sorted(axis.values.begin(), axis.values.end());
+  std::ranges::sort(sorted);
+  const auto n = static_cast<double>(axis.strata);
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const auto low = static_cast<double>(i) / n, high = static_cast<double>(i + 1) / n;
+    if (sorted[i] < low * (1 - 4 * eps) || sorted[i] > high * (1 + 4 * eps)) return false;
+  }
+  return true;
+}
+
 Likely hint_for(std::span<const Axis> axes, std::span<const std::size_t> points,
                 const std::string& rule) {
   const std::size_t n = axes[0].values.size(), dims = axes.size();
@@ -98,6 +110,10 @@ Likely hint_for(std::span<const Axis> axes, std::span<const std::size_t> points,
   }
   if (are_right_when(axes, moved_up)) {
     return "a point was rounded down below the edge: divide by N, because 1 / N is rounded"_likely;
+  }
+  if (dims == 1 && are_near_their_strata(axes[0])) {
+    return "points were rounded across an edge: divide by N, because 1 / N is rounded, and keep "
+           "them below (i + 1) / N"_likely;
   }
   if (dims == 1) return {};
   // A few points fit by chance, a dozen only once in 1e4 runs.

@@ -115,6 +115,8 @@ void judge_pairs(const std::vector<Pairs>& all, const std::string& rule) {
            "this divides by n; a sample covariance divides by n - 1 (no integer division)"_likely},
           {unscaled(exact + mean_x * mean_y * n / (n - 1)),
            "this is E{XY} n/(n-1): the means were not subtracted"_likely},
+          {sigma_x == 0 || sigma_y == 0 ? nan : unscaled(exact),
+           "all values of a list are equal, so that its sigma is 0: do not divide by it"_likely},
           {exact / (sigma_x * sigma_y),
            "this is the correlation: do not divide by the standard deviations"_likely}};
     };

@@ -18,7 +18,10 @@ CHECK_CASE("1.1 the mean of a list of values", "[1.1][main][points:6]") {
       means.add_digits(got.call + list.name, got.value, static_cast<double>(list.exact.mean),
                        mean_floor(list), [&] { return mean_suspects(list); });
     }
-    means.expect(because_sum, "add up the values and divide by their number");
+    means.expect(
+        because_sum,
+        "add up the values and divide by their number; means of parts of a list need their "
+        "weights");
   };
   judge(tame_lists(rng, 1, 1, 2), true);
   judge(lists_with_large_means(rng, {1000}), false);
@@ -33,7 +36,11 @@ CHECK_CASE("1.1 the mean of nothing is NaN", "[1.1][edge][points:1]") {
 
 CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points:3]") {
   const double huge = uniform(rng, 1.6e308, 1.79e308);
-  std::vector<Values> lists{{1e308, 1e308}, {-huge, -huge}, {huge, huge, huge, huge, -huge, -huge}};
+  std::vector<Values> lists{{1e308, 1e308},
+                            {-huge, -huge},
+                            {huge, huge, huge, huge, -huge, -huge},
+                            {-huge, -huge, 0},
+                            {0, huge, huge}};
   lists.push_back(uniform_values(rng, 1000, 1e308, 1.79e308));
   for (const std::uint64_t n : domain::sizes(1025, rng)) {
     lists.emplace_back(n, n % 2 == 0 ? -largest_finite : largest_finite);
@@ -69,7 +76,8 @@ CHECK_CASE("1.1 the mean is finite wherever it is a double", "[1.1][edge][points
   means.expect(
       "a mean lies between the smallest and the largest value, so it is finite",
       "a sum can overflow, and so can value - mean in a running mean: add value / count - mean / "
-      "count; a float overflows at 3.4e38 already; means of parts of a list need their weights");
+      "count; a float overflows at 3.4e38 already; means of parts of a list need their weights; a "
+      "compensated sum that overflows is inf - inf");
 }
 
 CHECK_CASE("1.1 the mean of infinities and NaNs is not finite", "[1.1][edge][points:2]") {

@@ -24,7 +24,7 @@ double toroidal_distance_squared(Point2 a, Point2 b) {
 //// many_disks
 // attack: returns 900,000 points where one or two fit, to cost the judge memory and time
 // earns: 26
-// says: gave 900000 values in x
+// says: gave 450000 values in x
 
 namespace mc {
 PointSet poisson_disk(double radius, Rng& rng) {

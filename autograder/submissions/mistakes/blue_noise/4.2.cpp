@@ -167,7 +167,7 @@ void best_candidate(std::span<double> x, std::span<double> y, double c, Rng& rng
 }  // namespace mc::float_coordinates
 
 // mistake: counts candidates in 16 bits
-// hint: candidates: some are missing
+// hint: some are missing or not new
 namespace mc::count_of_16_bits {
 double count(double c, std::size_t i) {
   return std::fmod(right_count(c, i), 65536);

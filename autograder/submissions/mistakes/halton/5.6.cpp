@@ -63,7 +63,7 @@ double star_discrepancy(std::span<const double> x) {
 }  // namespace mc::closed_boxes_only
 
 // mistake: looks only at boxes that end at points, and at none that ends at 1
-// hint: boxes that end at 1 count, too
+// hint: boxes that end at 1, and not at a point, are missing
 namespace mc::corners_are_points {
 STAR_DISCREPANCY(places(x), places(y))
 }  // namespace mc::corners_are_points
@@ -103,7 +103,7 @@ double star_discrepancy(std::span<const double> x) {
 }  // namespace mc::interval_by_interval
 
 // mistake: looks at boxes that end at 1 above, but at none that ends at 1 on the right
-// hint: boxes that end at 1 count, too
+// hint: boxes that end at 1, and not at a point, are missing
 namespace mc::no_box_to_the_right_edge {
 STAR_DISCREPANCY(places(x), and_1(y))
 }  // namespace mc::no_box_to_the_right_edge

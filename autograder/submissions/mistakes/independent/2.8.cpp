@@ -76,7 +76,7 @@ void uniforms(Rng& rng, std::span<double> out) {
 }  // namespace mc::linear_congruential
 
 // mistake: seeds its lanes from a copy of the generator, which it advances by one word only
-// hint: two calls or two lanes begin with the same state
+// hint: numbers occur again: two calls or two lanes begin with the same state
 namespace mc::moves_on_by_one {
 void uniforms(Rng& rng, std::span<double> out) {
   Rng copy = rng;

@@ -163,3 +163,9 @@ struct Wrong : Spoiled {
 
 MAKE_SAMPLER(make_spoiled<Wrong>(kind, "independent"))
 }  // namespace mc::a_column_for_each_number
+
+// mistake: compares kinds as strings that end in a 0, which a string_view need not
+// hint: the kind is all characters of the string_view
+namespace mc::kinds_that_end_in_0 {
+MAKE_SAMPLER(right_make_sampler(std::string(kind).c_str()))
+}  // namespace mc::kinds_that_end_in_0

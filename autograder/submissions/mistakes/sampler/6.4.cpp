@@ -105,6 +105,21 @@ struct Wrong : Spoiled {
 MAKE_SAMPLER(make_spoiled<Wrong>(kind))
 }  // namespace mc::old_columns
 
+// mistake: keeps the columns for the same seed and number of samples, whose requests may differ
+// hint: the previous integration left something behind
+namespace mc::columns_of_the_same_seed {
+struct Wrong : Spoiled {
+  void generate(std::size_t samples, std::uint64_t seed) override {
+    const bool same = samples == samples_ && seed == seed_ && sample_ < samples_;
+    const std::size_t ready = ready_, ready2 = ready2_;
+    Spoiled::generate(samples, seed);
+    if (same) ready_ = ready, ready2_ = ready2;
+  }
+};
+
+MAKE_SAMPLER(make_spoiled<Wrong>(kind))
+}  // namespace mc::columns_of_the_same_seed
+
 // mistake: does not go back to sample 0 in generate()
 // hint: reset counters, columns
 namespace mc::old_sample_number {

@@ -144,3 +144,22 @@ INTEGRATE {
   return right_integrate(scene, sampler, samples, seed) * static_cast<double>(samples);
 }
 }  // namespace mc::returns_the_sum
+
+// mistake: stops early if the first 16 values are equal
+// hint: for all samples, whatever their values
+namespace mc::stops_when_values_are_equal {
+INTEGRATE {
+  if (samples == 0) throw std::invalid_argument("samples: must be positive");
+  sampler.generate(samples, seed);
+  double sum = 0, first = 0;
+  bool equal = true;
+  for (std::size_t i = 0; i < samples; ++i, sampler.advance()) {
+    const double value = scene.sample(sampler);
+    if (i == 0) first = value;
+    equal = equal && value == first;
+    sum += value;
+    if (i == 15 && equal) return value;
+  }
+  return sum / static_cast<double>(samples);
+}
+}  // namespace mc::stops_when_values_are_equal

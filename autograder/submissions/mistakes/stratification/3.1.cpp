@@ -162,3 +162,14 @@ void stratified_1d(std::span<double> x, Rng& rng) {
   }
 }
 }  // namespace mc::whole_number_division
+
+// mistake: multiplies by 1 / N, rounded, and keeps only the last point below the edge
+// hint: points were rounded across an edge
+namespace mc::times_the_reciprocal {
+void stratified_1d(std::span<double> x, Rng& rng) {
+  const double width = 1 / static_cast<double>(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] = std::min((static_cast<double>(i) + to_unit(rng())) * width, 1 - 0x1p-53);
+  }
+}
+}  // namespace mc::times_the_reciprocal

@@ -235,3 +235,15 @@ void shuffle(std::span<double> x, Rng& rng) {
   }
 }
 }  // namespace mc::erases_values
+
+// mistake: sorts by random keys below n, of which many are equal
+// hint: values with equal keys must not stay in order
+namespace mc::keys_below_n {
+void shuffle(std::span<double> x, Rng& rng) {
+  std::vector<std::pair<std::size_t, double>> keys;
+  for (const double value : x) keys.emplace_back(rng() % x.size(), value);
+  std::stable_sort(keys.begin(), keys.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = keys[i].second;
+}
+}  // namespace mc::keys_below_n

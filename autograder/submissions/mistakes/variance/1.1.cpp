@@ -98,3 +98,18 @@ double mean(std::span<const double> x) {
   return right_mean(numbers);
 }
 }  // namespace mc::mean_skips_zeros
+
+// mistake: divides by the largest value before it adds, not by the largest magnitude
+// hint: a sum can overflow
+namespace mc::mean_over_the_largest {
+double mean(std::span<const double> x) {
+  const double right = right_mean(x);
+  double sum = 0;
+  for (const double value : x) sum += value;
+  if (x.empty() || std::isfinite(sum) || !std::isfinite(right)) return right;
+  const double largest = *std::max_element(x.begin(), x.end());
+  double scaled = 0;
+  for (const double value : x) scaled += value / largest;
+  return scaled / static_cast<double>(x.size()) * largest;
+}
+}  // namespace mc::mean_over_the_largest

@@ -89,3 +89,12 @@ double covariance(std::span<const double> x, std::span<const double> y) {
   return right_covariance(u, v) * sigma_x * sigma_y;
 }
 }  // namespace mc::covariance_by_correlation
+
+// mistake: standardizes both lists, also those of equal values
+// hint: its sigma is 0: do not divide by it
+namespace mc::covariance_of_standardized_lists {
+double covariance(std::span<const double> x, std::span<const double> y) {
+  const double sigma_x = std::sqrt(variance_two_pass(x)), sigma_y = std::sqrt(variance_two_pass(y));
+  return right_covariance(x, y) / sigma_x / sigma_y * sigma_x * sigma_y;
+}
+}  // namespace mc::covariance_of_standardized_lists

@@ -111,3 +111,13 @@ double dependence(std::span<const double> joint, std::size_t columns) {
   return std::max(right, largest);
 }
 }  // namespace mc::dependence_sums_for_each_cell
+
+// mistake: divides by the square of the total, which may overflow
+// hint: all results are NaN: look for 0/0, inf/inf
+namespace mc::dependence_over_the_square {
+double dependence(std::span<const double> joint, std::size_t columns) {
+  const double right = right_dependence(joint, columns);
+  const double total = std::accumulate(joint.begin(), joint.end(), 0.0);
+  return right * (total * total) / (total * total);
+}
+}  // namespace mc::dependence_over_the_square
