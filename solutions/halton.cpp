@@ -35,8 +35,9 @@ void require_points(std::span<const double> x, const std::string& name) {
 double radical_inverse(unsigned base, std::uint64_t index) {
   require_base(base);
   if (index == 0) return 0;
-  // The last digit comes first, followed by the radical inverse of the others. Each division shrinks
-  // the earlier rounding errors: the error is below 2 * 2^-53. An index of 54 ones would round to 1.
+  // The last digit comes first, followed by the radical inverse of the others. Each division
+  // shrinks the earlier rounding errors: the error is below 2 * 2^-53. An index of 54 ones would
+  // round to 1.
   const double others = radical_inverse(base, index / base);
   return std::min(below_one, (static_cast<double>(index % base) + others) / base);
 }
@@ -95,8 +96,9 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
   // `others` is stored at the end of the column: each value is read before it is overwritten.
   const auto others = column.last((first % size + column.size() - 1) / size + 1);
   radical_inverses(base, first / size, others);
-  // The step of 5.1 with `size` in place of the base. The sum must not be rounded up to `size`, hence
-  // the minimum: it changes a value by 2 * 2^-53 at most. Sum, scale and product add 2 * 2^-53.
+  // The step of 5.1 with `size` in place of the base. The sum must not be rounded up to `size`,
+  // hence the minimum: it changes a value by 2 * 2^-53 at most. Sum, scale and product add 2 *
+  // 2^-53.
   const auto digits = std::span<const double>(table).first(size);
   fill_by_blocks(column, first % size, digits,
                  [next = others.begin(), whole = static_cast<double>(size)](std::size_t) mutable {
@@ -278,7 +280,8 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 // makes all pairs of decisions independent, so the variance is Owen's; two of them, with a fixed
 // step z -> z ^ z c between, c = 2 mod 4, all threes and fours of the first four bits. The other
 // fixed step helps larger groups (Vegdahl 2021). docs/going-faster.md says why. Vector registers
-// multiply 32 bits at a time: a hash of the first 32 flips the others, which are 0 in Sobol' points.
+// multiply 32 bits at a time: a hash of the first 32 flips the others, which are 0 in Sobol'
+// points.
 
 namespace {
 constexpr std::uint32_t mirrored(std::uint32_t word) {
@@ -337,8 +340,8 @@ void owen_scramble(std::span<double> column, std::uint64_t seed) {
 }
 
 // 5.9 --------------------------------------------------------------------------------------------
-// A value is a sum of integers in units of 2^-64, modulo 1: that of index 0, which is a random word,
-// and the change that each nonzero digit makes to it. Its digits are the images of 0. Sums of
+// A value is a sum of integers in units of 2^-64, modulo 1: that of index 0, which is a random
+// word, and the change that each nonzero digit makes to it. Its digits are the images of 0. Sums of
 // integers do not depend on the order of their terms, so an index has one value in all columns. The
 // permutations are drawn digit by digit, up to the largest that an index has: few indices need few.
 

@@ -35,8 +35,8 @@ struct Places {
   std::size_t round = 0, next = 0, half = 0;  ///< half: the unused half of a pair, or 0 (6.8)
 };
 
-/// How requests take the dimensions of a sequence (6.3): `take` returns the first of `count` places,
-/// perhaps of another round; `order` makes the order of the points in that.
+/// How requests take the dimensions of a sequence (6.3): `take` returns the first of `count`
+/// places, perhaps of another round; `order` makes the order of the points in that.
 struct Sequence {
   std::span<const unsigned> dimensions;
   std::size_t (*take)(Places&, std::size_t count);
@@ -150,7 +150,7 @@ constexpr Sequence one_sequence{{}, in_turn, random_order};
     {"halton", dimensions_of<fill_halton>, &one_sequence},
     {"sobol", dimensions_of<fill_sobol>, &one_sequence}};
 
-// 6.8  (`kinds` has these blocks instead) -----------------------------------------------------------
+// 6.8  (`kinds` has these blocks instead) ---------------------------------------------------------
 
 // Rounds of eight dimensions, in four pairs that leave no cell of a square grid of N cells empty at
 // N = 4, 16, 64, 256 and 1024. Every next2() gets one of them, whatever calls of next() came

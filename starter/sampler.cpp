@@ -49,7 +49,7 @@ Image render(const PixelScene& scene, Sampler& sampler, std::size_t spp, std::ui
   throw todo("6.6");  // TODO(6.6): one integration per pixel, each with its own seed
 }
 
-// TODO(6.8): a stretch task: good pairs of dimensions, the kind "lattice", and speed: measure where the time
-// goes when a picture has few samples per pixel, and when it has many.
+// TODO(6.8): a stretch task: good pairs of dimensions, the kind "lattice", and speed: measure where
+// the time goes when a picture has few samples per pixel, and when it has many.
 
 }  // namespace mc

@@ -91,8 +91,8 @@ Command find_command(const Context& context, const std::string& name) {
                                nearest(name, names)));
 }
 
-/// Builds these targets. Two builds in one directory would run every rule twice, so there is a lock;
-/// a file system without locks does without.
+/// Builds these targets. Two builds in one directory would run every rule twice, so there is a
+/// lock; a file system without locks does without.
 void build(const Layout& layout, const std::vector<std::string>& targets) {
   const sandbox::Descriptor lock(
       open((layout.build / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644),

@@ -61,8 +61,8 @@ struct WrongUsage : UsageError {
   WrongUsage() : UsageError("wrong usage") {}
 };
 
-/// Finds the command that ./lab was called with, brings what it needs up to date, runs it, and turns
-/// errors into a line and an exit status. `argv` is that of main().
+/// Finds the command that ./lab was called with, brings what it needs up to date, runs it, and
+/// turns errors into a line and an exit status. `argv` is that of main().
 int run_lab(char** argv);
 
 /// Replaces this process by another program. Returns only by throwing MachineError.

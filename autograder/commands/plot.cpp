@@ -20,7 +20,8 @@ int plot(const Context& context, const Arguments& arguments) {
   for (const Submission& one : submissions) {
     names.push_back(fs::canonical(one.path).filename().string());
   }
-  // A folder for each choice of submissions: other pictures stay. A file name has 255 bytes at most.
+  // A folder for each choice of submissions: other pictures stay. A file name has 255 bytes at
+  // most.
   const std::string folder = fmt::format("{}", fmt::join(names, "-")).substr(0, 200);
   const Plots plots = [&] {
     const ProgressLine line("measuring and drawing " + lab.name);

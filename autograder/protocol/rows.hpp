@@ -1,6 +1,6 @@
 #pragma once
-// What hidden cases measure, in one form: plots, the bench's page and the speed in a report read it.
-// One row per line of CSV, written as soon as it is known.
+// What hidden cases measure, in one form: plots, the bench's page and the speed in a report read
+// it. One row per line of CSV, written as soon as it is known.
 
 #include <cstdint>
 #include <filesystem>

@@ -27,7 +27,8 @@ bool limit(decltype(RLIMIT_CPU) resource, rlim_t soft, rlim_t hard);
 /// with the remedy; empty if there is none. What a child exceeds is then not its fault.
 std::string lowered_limit(double cpu_seconds, std::size_t memory, std::size_t file_size);
 
-/// May this process become that user? Only root may, and only in a user namespace that has the user.
+/// May this process become that user? Only root may, and only in a user namespace that has the
+/// user.
 bool may_become(uid_t user);
 
 }  // namespace mc::sandbox

@@ -37,8 +37,8 @@ Pipe make_pipe();
 /// stream, and if reading fails.
 bool read_available(const Descriptor& from, std::string& to, std::size_t most);
 
-/// Opens /dev/null as 0, 1 and 2 where the caller closed them: a file opened later would be taken for
-/// standard output.
+/// Opens /dev/null as 0, 1 and 2 where the caller closed them: a file opened later would be taken
+/// for standard output.
 void open_standard_streams();
 
 void make_nonblocking(const Descriptor& descriptor);

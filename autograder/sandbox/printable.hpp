@@ -16,8 +16,8 @@ std::string printable(std::string_view text);
 /// The same on one line: line ends and tabs become blanks. For names.
 std::string printable_line(std::string_view text);
 
-/// Each line of `text` after "| ": none can pass for a line of a report, or for a command to a runner
-/// ("::notice …").
+/// Each line of `text` after "| ": none can pass for a line of a report, or for a command to a
+/// runner ("::notice …").
 std::string marked(std::string_view text);
 
 /// The beginning of `text`, at most `most` bytes, without splitting a UTF-8 sequence; with " …" if

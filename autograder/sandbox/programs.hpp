@@ -9,8 +9,8 @@
 
 namespace mc::sandbox {
 
-/// `git -C DIRECTORY WORDS…`. The files have the bytes of the repository; commits are not signed and
-/// run no hooks; their author is the course, unless a later "-c user.name=…" says otherwise.
+/// `git -C DIRECTORY WORDS…`. The files have the bytes of the repository; commits are not signed
+/// and run no hooks; their author is the course, unless a later "-c user.name=…" says otherwise.
 inline ProcessResult run_git(const std::filesystem::path& directory,
                              const std::vector<std::string>& words, ProcessOptions options = {}) {
   std::vector<std::string> command{"git", "-C", directory.string()};

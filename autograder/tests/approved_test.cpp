@@ -1,5 +1,5 @@
-// Reports as people see them, compared with approved files. MC_APPROVE=1 writes the files again: look
-// at git diff before you commit.
+// Reports as people see them, compared with approved files. MC_APPROVE=1 writes the files again:
+// look at git diff before you commit.
 
 #include <cstdlib>
 #include <regex>

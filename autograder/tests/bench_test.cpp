@@ -73,7 +73,8 @@ TEST_CASE("efficiency is relative to independent points") {
   CHECK(efficiency(curves, curves[1], curves[1].points[2]) == Approx(50));
 }
 
-/// One of ours that is good, a library that is better for few samples, and one that is within noise.
+/// One of ours that is good, a library that is better for few samples, and one that is within
+/// noise.
 TEST_CASE("the page names the sampler that wins at equal time") {
   Bench bench;
   for (const auto& rows : {falling("sobol", "edge", 1, 1, 10), falling("halton", "edge", 1, 1, 40),

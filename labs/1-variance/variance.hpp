@@ -88,8 +88,8 @@ double covariance(std::span<const double> x, std::span<const double> y);
 /// source: the definition of independence, p(x,y) = p(x) p(y).
 double dependence(std::span<const double> joint, std::size_t columns);
 
-/// 1.8  Stretch, the speed task: the moments of `x`, as fast as you can. m2 has at most one and a half
-/// digits fewer than 1.3 has for the same values (or than 15, if 1.3 has more). It is never
+/// 1.8  Stretch, the speed task: the moments of `x`, as fast as you can. m2 has at most one and a
+/// half digits fewer than 1.3 has for the same values (or than 15, if 1.3 has more). It is never
 /// negative, and at most n (eps c)^2 for up to 4096 equal values c.
 /// requires: any number of values; Moments{} for none. Of finite values beyond 1e150, whose squares
 ///   may overflow, only the count is promised.

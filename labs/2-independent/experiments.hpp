@@ -122,7 +122,8 @@ std::vector<double> means_of(unsigned source, std::uint64_t size, std::uint64_t 
 
 /// For timing: makes `size` numbers `rounds` times and returns the last number. Round r uses a
 /// generator with the seed `seed` + r; source 0, whose seeding is slow, uses one generator for all
-/// rounds. repeat_irradiance: `rounds` estimates with n samples by this way; returns the last value.
+/// rounds. repeat_irradiance: `rounds` estimates with n samples by this way; returns the last
+/// value.
 double repeat_source(unsigned source, std::uint64_t size, std::uint64_t rounds, std::uint64_t seed);
 double repeat_irradiance(unsigned way, std::uint64_t n, std::uint64_t rounds);
 

@@ -38,8 +38,8 @@ double to_unit(std::uint64_t bits);
 Estimate estimate(const Integrand& g, std::uint64_t n, Rng& rng);
 
 /// 2.3  The quantile function (inverse CDF) at `u` of the exponential distribution, whose density
-/// is rate exp(-rate x) for x >= 0. Non-decreasing in u, and within 4 ulp of -log1p(-u) / rate, also
-/// for the smallest u; so finite for every rate of at least 1e-306.
+/// is rate exp(-rate x) for x >= 0. Non-decreasing in u, and within 4 ulp of -log1p(-u) / rate,
+/// also for the smallest u; so finite for every rate of at least 1e-306.
 /// requires: u in [0, 1), a finite rate > 0.
 /// throws: std::invalid_argument if rate is not positive, or NaN.
 /// source: Pharr, Jakob, Humphreys 2023, section 2.3; Owen, chapter 4.
@@ -104,9 +104,9 @@ Estimate irradiance_area(const RectLight& light, std::uint64_t n, Rng& rng);
 /// source: Pharr, Jakob, Humphreys 2023, section 4.2, and appendix A.5.3 for Malley's method.
 Estimate irradiance_hemisphere(const RectLight& light, std::uint64_t n, Rng& rng);
 
-/// 2.8  Stretch, the speed task: fills `out` with independent uniform numbers in [0, 1), as fast as you can
-/// and in any order. Each has at least 53 random bits. The generator advances, so two calls are
-/// independent; equal generators give equal numbers.
+/// 2.8  Stretch, the speed task: fills `out` with independent uniform numbers in [0, 1), as fast as
+/// you can and in any order. Each has at least 53 random bits. The generator advances, so two calls
+/// are independent; equal generators give equal numbers.
 /// requires: a span of any size, also empty; any generator, also one that always returns the same
 ///   word (then the numbers only have to lie in [0, 1)).
 /// source: Blackman, Vigna 2021, "Scrambled linear pseudorandom number generators".

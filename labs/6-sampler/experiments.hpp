@@ -59,14 +59,14 @@ std::vector<double> estimates(std::string kind, std::string scene, std::vector<d
                               double a, double b, std::uint64_t samples,
                               std::vector<std::uint64_t> seeds);
 
-/// The RMSE of a sampler, divided by that of independent samples, for a checkerboard: the product of
-/// signs that change at each quarter of each coordinate of `pairs` calls of next2(). For each of
+/// The RMSE of a sampler, divided by that of independent samples, for a checkerboard: the product
+/// of signs that change at each quarter of each coordinate of `pairs` calls of next2(). For each of
 /// `sizes` samples, over so many seeds from 1 on.
 std::vector<double> against_independent(std::string kind, std::uint64_t pairs,
                                         std::vector<std::uint64_t> sizes, std::uint64_t seeds);
 
-/// 6.5: integrates a keyed scene (keyed.hpp) by a keyed sampler. A value v below 1/3 counts as 0, any
-/// other as low + (high - low) v.
+/// 6.5: integrates a keyed scene (keyed.hpp) by a keyed sampler. A value v below 1/3 counts as 0,
+/// any other as low + (high - low) v.
 double integrate_keyed(std::uint64_t key, double low, double high, std::uint64_t samples,
                        std::uint64_t seed);
 

@@ -20,8 +20,8 @@ namespace mc {
 ///
 /// An odd prime has no divisor in common with N, so the coordinates along each axis are all
 /// multiples of 1/N. With so few candidates the search takes half a second; it is in
-/// autograder/tests/lattice_search.hpp. (Nuyens, Cools 2006 search all integers by means of the fast Fourier
-/// transform.)
+/// autograder/tests/lattice_search.hpp. (Nuyens, Cools 2006 search all integers by means of the
+/// fast Fourier transform.)
 inline constexpr std::array<std::uint64_t, 16> lattice_vector{
     61211, 63059, 64151, 60703, 61751, 64817, 1,     60259,
     61291, 64601, 60611, 64879, 62861, 60763, 64007, 63907};

@@ -20,7 +20,8 @@
 namespace mc::checks {
 
 /// The cause of a failure that a report names: a literal with the suffix _likely, or the format of
-/// likely(). `self_test repository` finds them all and requires a mistake whose "hint:" quotes each.
+/// likely(). `self_test repository` finds them all and requires a mistake whose "hint:" quotes
+/// each.
 struct Likely {
   Likely() = default;
   explicit Likely(std::string words) : text(std::move(words)) {}

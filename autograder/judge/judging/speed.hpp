@@ -19,7 +19,8 @@ std::vector<protocol::Row> speed_rows(const Layout& layout, const Lab& lab,
 /// What such rows say.
 std::vector<Speed> speed_in(const std::vector<protocol::Row>& rows);
 
-/// Measures the speed tasks whose checks all passed, each in turn with its plain definition or loop.
+/// Measures the speed tasks whose checks all passed, each in turn with its plain definition or
+/// loop.
 std::vector<Speed> measure_speed(const Layout& layout, const LabVerdict& verdict,
                                  const sandbox::Program& program);
 

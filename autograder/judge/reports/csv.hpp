@@ -19,8 +19,8 @@ struct LabColumns {
 /// totals, the checks' points. What was not judged has the reason and no points.
 std::string grade_table(const std::vector<LabColumns>& labs, const std::vector<Verdict>& verdicts);
 
-/// Why the submission has no points, or fewer than it might: "unreadable: …", "no variance.cpp; there
-/// is: variance (1).cpp"; empty if there is nothing to say.
+/// Why the submission has no points, or fewer than it might: "unreadable: …", "no variance.cpp;
+/// there is: variance (1).cpp"; empty if there is nothing to say.
 std::string reason_of(const Verdict& verdict);
 
 /// A field of a CSV table: quoted where needed, and never a formula for a spreadsheet.

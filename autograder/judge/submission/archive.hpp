@@ -21,8 +21,8 @@ struct ArchiveLimits {
   std::ptrdiff_t depth = 14;                   ///< parts of a name; deeper entries are left out
 };
 
-/// Does the name say so: .zip, .tar, .tar.gz, .tgz, .7z, …, in any case? (A .rar, too, which cannot be
-/// unpacked: its row says so.)
+/// Does the name say so: .zip, .tar, .tar.gz, .tgz, .7z, …, in any case? (A .rar, too, which cannot
+/// be unpacked: its row says so.)
 bool is_archive(const std::filesystem::path& file);
 
 /// "ann" for "ann.tar.gz".

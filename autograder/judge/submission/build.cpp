@@ -60,8 +60,8 @@ std::vector<std::string> link_command(const Layout& layout, const std::vector<fs
   return command;
 }
 
-/// Links a text that only includes the lab's header with the lab's own objects, whose functions need
-/// not be defined. Throws MachineError if the machine cannot.
+/// Links a text that only includes the lab's header with the lab's own objects, whose functions
+/// need not be defined. Throws MachineError if the machine cannot.
 void link_known_text(const Unit& unit, std::vector<fs::path> objects) {
   const ScratchDirectory scratch(unit.layout);
   compile_known_text(unit, scratch.path());

@@ -45,8 +45,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Lines of a message from the text. They are marked, except for positions in the file `name`: these
-/// are what editors look for.
+/// Lines of a message from the text. They are marked, except for positions in the file `name`:
+/// these are what editors look for.
 std::string joined(const std::vector<std::string>& lines, const std::string& name) {
   std::string all;
   for (std::size_t i = 0; i < lines.size() && i < most_lines; ++i) {

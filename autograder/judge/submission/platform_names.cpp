@@ -26,8 +26,8 @@ void remove_count(PlatformName& one) {
 }
 
 /// PERSON_LATE_4711_99_FILE; anonymous grading has five letters and digits in place of the first
-/// number. Canvas keeps such numbers out of a person's name, so the first match is its own, whatever
-/// the student called the file.
+/// number. Canvas keeps such numbers out of a person's name, so the first match is its own,
+/// whatever the student called the file.
 std::optional<PlatformName> named_by_canvas(const std::string& name) {
   std::vector<std::string_view> parts = text::split(name, '_');
   PlatformName found;

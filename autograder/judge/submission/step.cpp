@@ -71,16 +71,16 @@ uid_t user_of(const Step& step) {
   return compiler_user;
 }
 
-/// Would the machine give a process that much memory? Where it does, a compiler that got none has met
-/// its own limit.
+/// Would the machine give a process that much memory? Where it does, a compiler that got none has
+/// met its own limit.
 bool has_memory(std::size_t bytes) {
   void* const place =
       mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
   return place != MAP_FAILED && munmap(place, bytes) == 0;
 }
 
-/// What a tool (never the text) says last if it was killed or lacked something; empty otherwise. The
-/// text may print such words, but not without a position, and not after collect2.
+/// What a tool (never the text) says last if it was killed or lacked something; empty otherwise.
+/// The text may print such words, but not without a position, and not after collect2.
 std::string fault_of_machine(const std::string& errors, std::size_t memory) {
   std::string last;
   for (const std::string_view line : text::split(errors, '\n')) {

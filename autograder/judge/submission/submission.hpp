@@ -26,7 +26,8 @@ struct Submission {
   std::vector<std::string> others = {};
 };
 
-/// "; there is: variance (1).cpp", after the news that a file is missing; empty if nothing is like it.
+/// "; there is: variance (1).cpp", after the news that a file is missing; empty if nothing is like
+/// it.
 std::string what_is_there(const Submission& submission);
 
 /// The lab files in `directory` itself, by the lab's name. Links are ignored, also as the

@@ -101,8 +101,9 @@ double nanoseconds(const std::string& kind, unsigned by, Count dims, Count n) {
   return 1e9 * seconds_of(run, 0.004, 1, 1 + numbers / (n * dims)) / static_cast<double>(n * dims);
 }
 
-/// Filling the columns alone, and in all: {generation, total}. A disturbance only adds time, so each
-/// is the least of several measurements, one after the other, until the total is above its part.
+/// Filling the columns alone, and in all: {generation, total}. A disturbance only adds time, so
+/// each is the least of several measurements, one after the other, until the total is above its
+/// part.
 Values cost_of(const std::string& kind, Count n) {
   Values cost{infinity, infinity};
   for (int round = 0; round < 8 && (round < 2 || cost[1] < cost[0]); ++round) {

@@ -15,8 +15,8 @@ namespace mc::measurements {
 /// Nanoseconds for each of n values or points: the median of three differences. NaN: missing.
 double nanoseconds_of(const Rounds& rounds, Count n);
 
-/// A table, in Markdown, that ./lab bench --tables prints. Rows and columns are in the order of their
-/// first cells.
+/// A table, in Markdown, that ./lab bench --tables prints. Rows and columns are in the order of
+/// their first cells.
 struct BenchTable {
   std::string title;
   Count n = 0;  ///< of the next cells

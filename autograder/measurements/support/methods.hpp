@@ -114,9 +114,9 @@ class Methods : public std::vector<Method> {
   }
 };
 
-/// A speed task: `rounds` makes `values` numbers or points each time, and so does `plain`, the plain
-/// definition or loop. If `points` is given, the error of `n` points in the plane is reported next
-/// to their time.
+/// A speed task: `rounds` makes `values` numbers or points each time, and so does `plain`, the
+/// plain definition or loop. If `points` is given, the error of `n` points in the plane is reported
+/// next to their time.
 struct SpeedTask {
   std::string task, name;
   Count values;

@@ -57,8 +57,8 @@ void prove(const Subject& subject) {
   complain("no such kind of submission: " + kind);
 }
 
-/// Prints the submissions as tests for CTest. Long ones start first, and the first of a catalog, which
-/// compiles it; --quick has the first of each kind
+/// Prints the submissions as tests for CTest. Long ones start first, and the first of a catalog,
+/// which compiles it; --quick has the first of each kind
 /// about lab 1, and a mistake of each lab.
 void print_list() {
   const Layout layout = read_layout();

@@ -109,8 +109,8 @@ void prove_under_load(std::vector<fs::path> files, unsigned runs);
 /// crashes, and no main check of a task passes unless a right answer would pass.
 void prove_against_lies(const std::string& lab, unsigned count);
 
-/// Judges up to `count` mutants of the lab's alternatives (mutants.cpp), and prints the survivors and
-/// the score: for use before a release.
+/// Judges up to `count` mutants of the lab's alternatives (mutants.cpp), and prints the survivors
+/// and the score: for use before a release.
 void prove_by_mutants(const std::string& lab, std::size_t count, std::uint64_t seed);
 
 /// The kind of a file of the repository, by its folder: "starter", "solutions", "mistakes", …

@@ -79,7 +79,7 @@ OWEN_SCRAMBLE {
 }
 }  // namespace mc::level_added_to_seed
 
-// mistake: uses Matousek's random linear scrambling: correct for two and three decisions, not for four
+// mistake: Matousek's random linear scrambling: correct for two and three decisions, not for four
 // hint: pairs and triples of decisions are independent, but larger groups are not
 namespace mc::linear_scrambling {
 OWEN_SCRAMBLE {

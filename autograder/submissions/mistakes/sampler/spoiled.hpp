@@ -1,6 +1,6 @@
 #pragma once
-// The solution with its private members accessible. A mistake derives from the solution's sampler and
-// does one thing wrong.
+// The solution with its private members accessible. A mistake derives from the solution's sampler
+// and does one thing wrong.
 
 #include <array>
 #include <stdexcept>

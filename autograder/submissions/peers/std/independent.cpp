@@ -1,6 +1,6 @@
 // peer: the C++ standard library: std::mt19937_64, std::uniform_real_distribution
 // fails: 2.1 the upper 53 bits
-// because: generate_canonical rounds 64 bits to 53, and numbers near 0 keep more than a shift leaves
+// because: generate_canonical rounds 64 bits to 53, and keeps more than a shift near 0
 #include <random>
 
 namespace mc {

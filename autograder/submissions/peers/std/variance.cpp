@@ -5,7 +5,7 @@
 // fails: 1.3 the variance of constant data is zero
 // because: the rounding of the mean is not taken back, as the corrected two-pass formula does
 // fails: 1.8 the moments keep their digits on hard data
-// because: one mean is rounded, and what its rounding adds to the squares is not taken back (NumAcc4)
+// because: the rounding of the mean adds to the squares and is not taken back (NumAcc4)
 #include "variance.hpp"
 
 #include <limits>
