@@ -1,4 +1,4 @@
-// alternative: 4.2 by three loops, 4.3 by darts until 10,000 miss in a row, compared with all points
+// alternative: 4.2 by three loops, 4.3 by darts until 10,000 in a row miss, each with all points
 // fails: 4.7
 #include <cmath>
 
