@@ -76,12 +76,13 @@ CHECK_CASE("3.6 any number of points and dimensions", "[3.6][edge][points:1][nee
 }
 
 CHECK_CASE("3.6 the axes are independent", "[3.6][points:3][needs:3.1][needs:3.4]") {
-  Randomness meetings{
-      .words = "the permutations of two axes of 3.6 are independent",
-      .alpha = alpha,
-      .rule = "shuffle every column separately, with the shuffle of 3.4",
-      .repeated =
-          "two axes are always combined in the same way: shuffle each one separately"_likely};
+  Randomness meetings{.words = "the permutations of two axes of 3.6 are independent",
+                      .alpha = alpha,
+                      .rule = "shuffle every column separately, with the shuffle of 3.4",
+                      .repeated =
+                          "two axes are always combined in the same way: shuffle each one "
+                          "separately, by new random "
+                          "numbers"_likely};
   const Likely same = "one column is used for two axes: make a new one for each"_likely;
   for (const auto& [n, dims, sets] :
        {Sizes{30, 23, 300}, {4, 3, 5000}, {64, 4, 1000}, {10000, 3, 1}}) {

@@ -109,7 +109,9 @@ CHECK_CASE("3.4 patterns are shuffled independently", "[3.4][points:4][needs:3.2
       "the permutations of two patterns of 3.4 are independent",
       "each point of a pattern must be equally likely to be combined with any point of another: "
       "shuffle all points of each pattern, x and y together, each pattern separately",
-      "the patterns are always combined in the same way: shuffle each one separately"_likely);
+      "the patterns are always combined in the same way: shuffle each one separately, by new "
+      "random "
+      "numbers"_likely);
   for (const auto& [n, dims, sets] :
        {Sizes{30, 27, 350}, {4, 5, 5000}, {64, 8, 1000}, {10000, 5, 1}}) {
     expect_random_permutations(meetings_of(padded(n, dims), sets, rng), claim, rng);

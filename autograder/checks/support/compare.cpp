@@ -40,11 +40,14 @@ std::optional<double> common_factor(std::span<const double> got, std::span<const
 std::vector<Curve> generic_suspects(std::span<const double> got, const Comparison& comparison) {
   const std::span<const double> exact = comparison.exact;
   const std::size_t n = exact.size();
-  std::vector<Curve> all{{std::vector<double>(n, nan),
-                          comparison.separate_calls
-                              ? "all results are NaN: look for 0/0, inf/inf and inf - inf"_likely
-                              : "all values are NaN: never written, only added to, or 0/0"_likely},
-                         {std::vector<double>(n, 0.0), "all values are 0"_likely}};
+  std::vector<Curve> all{
+      {std::vector<double>(n, nan),
+       comparison.separate_calls
+           ? "all results are NaN: look for 0/0, inf/inf and inf - inf"_likely
+           : "all values are NaN: never written, only added to, or 0/0"_likely},
+      {std::vector<double>(n, 0.0), comparison.separate_calls && !comparison.rule.empty()
+                                        ? likely("all results are 0: {}", comparison.rule)
+                                        : "all values are 0"_likely}};
   if (n < 3) return all;
   if (const auto factor = common_factor(got, exact); factor && std::abs(*factor - 1) > 1e-6) {
     all.push_back({each(exact, [&](double x) { return *factor * x; }),

@@ -33,7 +33,8 @@ CHECK_CASE("1.6 the covariance keeps its digits under large means", "[1.6][point
   pairs.push_back({pairs[0].x, tame_pairs(rng, 1000).y});
   pairs.push_back({tame_pairs(rng, 1000).y, pairs[0].x});
   pairs.push_back({Values(1000, 0.1), tame_pairs(rng, 1000).y});  // covariance 0
-  judge_pairs(pairs, "E{XY} - E{X}E{Y} is the textbook formula again: subtract the means first");
+  judge_pairs(pairs,
+              "E{XY} - E{X}E{Y} is the textbook formula again: subtract the means of both first");
 }
 
 CHECK_CASE("1.6 the covariance keeps its digits at any scale", "[1.6][points:2][needs:1.1]") {

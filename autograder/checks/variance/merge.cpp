@@ -96,16 +96,18 @@ CHECK_CASE("1.5 merging parts with means of any size", "[1.5][edge][points:1]") 
   judge_merges({{{count, m, 0}, {count, -m, 0}}, {{count, 0, 0}, {count / 3, m, 0}}},
                "(mean_b - mean_a)^2 underflows to 0: multiply by the weight before squaring",
                0x1p-540);
-  for (const auto& [n_a, n_b] : {std::pair{3u, 5u}, {5u, 3u}, {1u, 1u}}) {
-    const double a = uniform(rng, 1.45e308, 1.7e308);
-    const double mean = a * ((static_cast<double>(n_a) - static_cast<double>(n_b)) / (n_a + n_b));
-    const auto got = MEASURE(merge, {n_a, a, 0}, {n_b, -a, 0});
-    Results means;
-    means.add(got.call + ".mean", got.value.mean, mean, 16 * eps * a);
-    means.expect("a mean lies between the two means, so it is finite",
-                 "mean_b - mean_a overflows, and so does n_a mean_a: multiply each mean by its "
-                 "fraction of the count, n_a / n or n_b / n, then add");
-    expect_not_finite(got.call + ".m2", got.value.m2, {});
+  for (const auto& [n_a, n_b] : {std::pair{3u, 5u}, {5u, 3u}, {1u, 1u}, {40u, 40u}}) {
+    for (const double ratio : {-1.0, 0.9, 1.0}) {  // also of means whose sum overflows
+      const double a = uniform(rng, 1.45e308, 1.7e308);
+      const double share = (n_a + ratio * n_b) / (n_a + n_b);
+      const auto got = MEASURE(merge, {n_a, a, 0}, {n_b, ratio * a, 0});
+      Results means;
+      means.add(got.call + ".mean", got.value.mean, a * share, 16 * eps * a);
+      means.expect("a mean lies between the two means, so it is finite",
+                   "mean_b - mean_a, mean_a + mean_b and n_a mean_a may overflow: multiply each "
+                   "mean by its fraction of the count, n_a / n or n_b / n, then add");
+      if (ratio != 1) expect_not_finite(got.call + ".m2", got.value.m2, {});
+    }
   }
 }
 

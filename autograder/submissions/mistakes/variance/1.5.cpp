@@ -141,7 +141,7 @@ Moments merge(const Moments& a, const Moments& b) {
 }  // namespace mc::merge_drops_single_values
 
 // mistake: subtracts the means, which overflows for large ones
-// hint: mean_b - mean_a overflows
+// hint: mean_b - mean_a, mean_a + mean_b
 namespace mc::merge_distance_overflows {
 Moments merge(const Moments& a, const Moments& b) {
   Moments all = right_merge(a, b);
@@ -150,3 +150,13 @@ Moments merge(const Moments& a, const Moments& b) {
   return all;
 }
 }  // namespace mc::merge_distance_overflows
+
+// mistake: takes (a + b) / 2 as the mean of parts of equal size, whose sum may overflow
+// hint: mean_a + mean_b
+namespace mc::merge_halves {
+Moments merge(const Moments& a, const Moments& b) {
+  Moments all = right_merge(a, b);
+  if (a.count == b.count && a.count > 0) all.mean = (a.mean + b.mean) / 2;
+  return all;
+}
+}  // namespace mc::merge_halves

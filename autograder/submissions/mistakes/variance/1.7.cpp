@@ -121,3 +121,13 @@ double dependence(std::span<const double> joint, std::size_t columns) {
   return right * (total * total) / (total * total);
 }
 }  // namespace mc::dependence_over_the_square
+
+// mistake: the same, and the largest of 0 and NaN is 0
+// hint: all results are 0: p(x) is the sum of a row
+namespace mc::dependence_hides_an_overflow {
+double dependence(std::span<const double> joint, std::size_t columns) {
+  const double right = right_dependence(joint, columns);
+  const double total = std::accumulate(joint.begin(), joint.end(), 0.0);
+  return std::max(0.0, right * (total * total) / (total * total));
+}
+}  // namespace mc::dependence_hides_an_overflow
