@@ -68,7 +68,8 @@ CHECK_CASE("4.2 best candidates are blue", "[4.2][points:6][needs:4.1]") {
   const Spectrum mean = mean_spectrum(all, n);
   const double low = low_band(mean, n);
   const std::string rule =
-      "each point is the candidate, of ceil(c i) + 1, that is farthest from all earlier points";
+      "each point is the candidate, of ceil(c i) + 1, that is farthest from all earlier points "
+      "on the torus";
   expect_that(
       low < 0.13,
       fmt::format("{}: mean power {:.4f} over 0 < |k| <= 8, mean of {} sets", all.call, low, sets),

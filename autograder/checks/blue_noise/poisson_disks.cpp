@@ -76,7 +76,9 @@ CHECK_CASE("4.3 the pattern is nearly maximal", "[4.3][points:9][needs:4.1]") {
         "0.3 % at most",
         "another point fits where no disk reaches (computed with an error of 0.01 %)",
         "gaps are left: a number of misses in a row does not prove that nothing fits, nor does a "
-        "cell's covered center; two points may be as close as the radius");
+        "cell's covered center; drop no cell that still has room; two points may be as close as "
+        "the "
+        "radius");
   }
 }
 

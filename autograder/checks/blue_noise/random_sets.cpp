@@ -116,7 +116,8 @@ void require_apart(const SampleSets& sets, double radius) {
     expect_that(holds, fmt::format("{}: two points {} apart", sets.call, least),
                 fmt::format("{} or more", radius),
                 "no two points are closer than the radius, except for rounding (4 eps)",
-                "compare each new point with all points near it; a cell must not have room for two",
+                "compare each new point with all points near it on the torus, also up to sqrt(1/2) "
+                "away; a cell must not have room for two",
                 holds ? ""_likely : too_close_hint(x, y, radius, least));
   }
 }

@@ -174,6 +174,12 @@ std::vector<Curve> sobol_suspects(unsigned dimension, const std::vector<std::uin
   suspect(halved, same,
           "bit k of the index, from 0, selects v_k = m_(k+1) 2^-(k+1): m_k is used in place of "
           "m_(k+1)"_likely);
+  all.push_back(
+      {each(indices,
+            [&](std::uint64_t i) {
+              return static_cast<double>(static_cast<float>(sobol_value(exact, i)));
+            }),
+       "only about seven digits are correct, as in a float: use double everywhere"_likely});
   if (is_gray_code_in_dimension_2()) {
     suspect(exact, gray_code, "these are the points in Gray-code order: another order"_likely);
   }

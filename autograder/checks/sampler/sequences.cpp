@@ -151,7 +151,8 @@ void check_sequence(const std::string& kind, Rng& rng) {
                      : "scrambling does not change how many leading digits two points share",
           is_lattice
               ? "each request takes the next dimension of the lattice, with the points from "
-                "index 0 on and one shift for all samples; the tent folds shifted points"
+                "index 0 on and one shift for all samples; in the kind lattice only, the tent "
+                "then folds the shifted points"
               : "each request takes the next dimension of one sequence, with the points from "
                 "index 0 on and one scramble for all samples",
           likely_of(kind, way, rng));

@@ -123,7 +123,8 @@ Likely hint_for(std::span<const Axis> axes, std::span<const std::size_t> points,
     return "nx and ny are swapped: nx cells along x, ny along y"_likely;
   }
   if (dims == 2 && n >= 4 && each_axis([&](const Axis& axis) { return is_stratified(axis, n); })) {
-    return "two 1D patterns are not a 2D pattern, and x and y must be shuffled together"_likely;
+    return "two 1D patterns are not a 2D pattern: fill the cells of the grid, and shuffle x and y "
+           "together"_likely;
   }
   if (n >= 12 && each_axis([](const Axis& axis) {
         return axis.strata > 1 && is_even(axis.values, axis.strata);

@@ -23,7 +23,7 @@ MAKE_SAMPLER(make_other_kind<one_column, two_columns>("stratified", kind))
 }  // namespace mc::columns_of_floats
 
 // mistake: shuffles x and y of a multi-jittered pattern separately
-// hint: two 1D patterns are not a 2D pattern, and x and y must be shuffled together
+// hint: two 1D patterns are not a 2D pattern: fill the cells of the grid
 namespace mc::shuffled_apart {
 void apart(const SampleDimension&, std::span<double> x, std::span<double> y, Rng& rng) {
   multi_jittered(x, y, strata(x.size()), rng);

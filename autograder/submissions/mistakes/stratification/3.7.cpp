@@ -39,7 +39,7 @@ void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rn
 }  // namespace mc::float_multi_jitter
 
 // mistake: shuffles x and y of multi-jittered points separately
-// hint: x and y must be shuffled together
+// hint: two 1D patterns are not a 2D pattern: fill the cells
 namespace mc::multi_jittered_apart {
 void multi_jittered(std::span<double> x, std::span<double> y, Grid grid, Rng& rng) {
   right_multi_jittered(x, y, grid, rng);
