@@ -200,7 +200,7 @@ unset multiplot
 
 # Error against time ------------------------------------------------------------------------------
 timed = "radical_inverse halton sobol scrambled_sobol scrambled_halton"
-array above[5] = [1, 1, 1, 1, -1]
+array above[5] = [1, 1, -1, 1, 1]
 name = "speed"; width = 80 + 460 * count; height = 410
 load draw
 eval panels(80, 80, 60)
