@@ -35,9 +35,8 @@ void require_points(std::span<const double> x, const std::string& name) {
 double radical_inverse(unsigned base, std::uint64_t index) {
   require_base(base);
   if (index == 0) return 0;
-  // The last digit comes first, followed by the radical inverse of the others. Each division
-  // shrinks the earlier rounding errors: the error is below 2 * 2^-53. An index of 54 ones would
-  // round to 1.
+  // The last digit comes first, followed by the radical inverse of the others. A division shrinks
+  // the earlier rounding errors: the error is below 2 * 2^-53. 54 ones would round to 1.
   const double others = radical_inverse(base, index / base);
   return std::min(below_one, (static_cast<double>(index % base) + others) / base);
 }
@@ -97,8 +96,7 @@ void radical_inverses(unsigned base, std::uint64_t first, std::span<double> colu
   const auto others = column.last((first % size + column.size() - 1) / size + 1);
   radical_inverses(base, first / size, others);
   // The step of 5.1 with `size` in place of the base. The sum must not be rounded up to `size`,
-  // hence the minimum: it changes a value by 2 * 2^-53 at most. Sum, scale and product add 2 *
-  // 2^-53.
+  // hence the minimum: it changes a value by 2 * 2^-53 at most. Three roundings add as much.
   const auto digits = std::span<const double>(table).first(size);
   fill_by_blocks(column, first % size, digits,
                  [next = others.begin(), whole = static_cast<double>(size)](std::size_t) mutable {

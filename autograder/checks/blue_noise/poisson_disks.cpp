@@ -126,7 +126,11 @@ SampleSets patterns(double radius, std::size_t sets, Rng& rng) {
     const std::size_t count = std::min(left, most);
     const auto got = MEASURE(poisson_disk, radius, count, fresh_seed(rng));
     const SampleSets some = random_sets(got, radius, count);
-    made ? made->add(some) : void(made = some);
+    if (made) {
+      made->add(some);
+    } else {
+      made = some;
+    }
     left -= count;
   }
   const SampleSets& all = *made;

@@ -12,8 +12,8 @@ using Seeds = std::vector<std::uint64_t>;
 /// A construction that takes its numbers from a generator.
 struct Construction {
   Randomness claim;
-  /// The numbers behind `calls` results in turn, from one generator with this seed; `positions` are
-  /// those of one result.
+  /// The numbers that determine `calls` results in turn, from one generator with this seed;
+  /// `positions` are those of one result.
   std::function<Uniforms(std::uint64_t seed, std::size_t calls)> numbers;
 };
 
@@ -54,7 +54,7 @@ inline void expect_random_calls(const Construction& made, std::size_t calls, Rng
 /// A construction that is a function of a seed.
 struct SeededConstruction {
   Randomness claim;
-  /// The numbers behind the results for these seeds; `positions` are those of one seed.
+  /// The numbers that determine the results for these seeds; `positions` are those of one seed.
   std::function<Uniforms(const Seeds& seeds)> numbers;
   std::size_t most = 2000;  ///< seeds per call: each may seed a large generator for every digit
 };
